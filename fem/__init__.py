@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     )
     from fem.parts.groove import Groove as Groove, Stations as Stations
     from fem.parts.material import Elastic as Elastic, ImpossiblePart as ImpossiblePart
+    from fem.parts.part import Part as Part
     from fem.parts.reduced_body import ReducedBody as ReducedBody
     from fem.parts.resolution import Discretisation as Discretisation, Resolution as Resolution
     from fem.parts.rings import (
         MeshSize as MeshSize,
         OuterRing as OuterRing,
-        Part as Part,
         Patches as Patches,
         RingOnShaft as RingOnShaft,
     )
@@ -44,9 +44,10 @@ EXPORTS = {
     ),
     "parts.groove": ("Groove", "Stations"),
     "parts.material": ("Elastic", "ImpossiblePart"),
+    "parts.part": ("Part",),
     "parts.reduced_body": ("ReducedBody",),
     "parts.resolution": ("Discretisation", "Resolution"),
-    "parts.rings": ("MeshSize", "OuterRing", "Part", "Patches", "RingOnShaft"),
+    "parts.rings": ("MeshSize", "OuterRing", "Patches", "RingOnShaft"),
     "parts.squirrel_cage": ("SquirrelCage",),
 }
 

@@ -15,9 +15,10 @@ from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import ClampedFace, Foundation, LineSupports, PlanetGear, RigidSeat
 from fem.parts.groove import Groove
 from fem.parts.material import ImpossiblePart, in_mm
+from fem.parts.part import Part
 from fem.parts.reduced_body import ReducedBody
 from fem.parts.resolution import Discretisation, Resolution, Shape
-from fem.parts.rings import OuterRing, Part, RingOnShaft, require_on_track
+from fem.parts.rings import OuterRing, RingOnShaft, require_on_track
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 from fem.stages import Report, Stage, stages, unheard
@@ -45,7 +46,7 @@ _log = logging.getLogger(__name__)
 
 
 def condense(
-    part: Part | StepSolid | BoltedRing,
+    part: Part | StepSolid,
     discretisation: Discretisation,
     resolution: Resolution,
     report: Report = unheard,
@@ -196,7 +197,7 @@ def _require_cones(part: Any, discretisation: Discretisation, resolution: Resolu
         raise ImpossiblePart(f"cones {in_mm(cones)} apart are impossible under rows {in_mm(rows)} apart")
 
 
-def _require_known(part: Part | BoltedRing | StepSolid, discretisation: Discretisation) -> None:
+def _require_known(part: Part | StepSolid, discretisation: Discretisation) -> None:
     """Refuse a groove in a ring that is discretised in another way than by its section, or as it is drawn."""
     known = SMEARED if isinstance(part, SquirrelCage) else SOLID if isinstance(part, StepSolid) else HARMONICS
     if discretisation is not known:

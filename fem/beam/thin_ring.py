@@ -36,8 +36,9 @@ from fem.beam.support_springs import (
 from fem.errors import NotSolved
 from fem.half_space.line_load import indentation_harmonics
 from fem.parts.boundary_conditions import ClampedFace, Foundation
+from fem.parts.part import Part
 from fem.parts.resolution import Resolution
-from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, Part, RingOnShaft
+from fem.parts.rings import Elastic, ImpossiblePart, OuterRing, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.bar_response import BarResponse, of_revolution
 from fem.raceway.harmonics import FEWEST, FINENESS, Responses
@@ -73,7 +74,7 @@ def beam_responses(
     n, length, axial_modes = np.arange(last + 1), resolution.length, resolution.axial_modes
     with stage("condense"):
         loads = np.hstack([_section_loads(length, axial_modes), _section_loads(part.width, face_modes)])
-        if not isinstance(part, RingOnShaft):
+        if isinstance(part, OuterRing | SquirrelCage):
             loads[THETA, 0] = part.offset
         moved = _section_motions(stiffness_of(part, n), loads)
         responses = loads.T @ moved

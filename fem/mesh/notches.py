@@ -9,6 +9,7 @@ from functools import singledispatch
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import ClampedFace, Housing
 from fem.parts.rings import OuterRing, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
@@ -110,6 +111,13 @@ def _(part: RingOnShaft):
         corners.append((part.shaft_length / 2, hollow))
     rims = [_rim(sign * x, r) for x, r in corners for sign in (-1, 1)]
     return Notches(np.array(rims), min(bore - hollow, raceway - bore))
+
+
+@notches.register
+def _(part: BoltedRing):
+    face, land, far = part.face_side * part.face_distance, part.raceway_diameter / 2, part.far_diameter / 2
+    wall = part.outward * (far - part.groove.bottom(part.outward))
+    return Notches(np.array([_rim(face, land), _rim(face, far)]), wall)
 
 
 @notches.register

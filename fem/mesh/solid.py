@@ -22,7 +22,8 @@ from fem.mesh.expense import require_affordable
 from fem.parts.boundary_conditions import ClampedFace, Housing, RigidSeat, edge_names
 from fem.parts.groove import BallPatches, Groove
 from fem.parts.material import require
-from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, Part, RingOnShaft, require_on_track
+from fem.parts.part import Part
+from fem.parts.rings import ImpossiblePart, MeshSize, OuterRing, RingOnShaft, require_on_track
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 

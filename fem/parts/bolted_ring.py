@@ -47,6 +47,10 @@ class BoltedRing:
         return 1 if self.race == "outer" else -1
 
     @property
+    def bars(self) -> None:
+        """No bars: a body of revolution."""
+
+    @property
     def materials(self) -> dict[str, Elastic]:
         """Material of the one body."""
         return {"ring": self.elastic}

@@ -91,7 +91,7 @@ class Stations:
 
 @dataclass(frozen=True, kw_only=True)
 class BallPatches:
-    """Where balls load a groove of one arc."""
+    """Where balls load a groove."""
 
     azimuths: Sequence[float]  # (Z,) [rad] of the balls
     length: float  # [m] axial width of the groove

@@ -4,10 +4,12 @@ from dataclasses import dataclass
 from math import degrees, pi, sin
 from typing import TYPE_CHECKING
 
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import Housing
 from fem.parts.groove import Groove
 from fem.parts.material import ImpossiblePart, in_mm
-from fem.parts.rings import OuterRing, Part, RingOnShaft
+from fem.parts.part import Part
+from fem.parts.rings import OuterRing, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
 
 if TYPE_CHECKING:
@@ -58,6 +60,9 @@ def radius(part: "Part | StepSolid", probe: Probe) -> float:
 def walls(part: Part) -> list[Wall]:
     """Cylinders that a part is made of, without fillets."""
     inner = part.raceway_diameter / 2
+    if isinstance(part, BoltedRing):
+        low, high = sorted((inner, part.far_diameter / 2))
+        return [(*part.ends, low, high)]
     if isinstance(part, RingOnShaft):
         bore, side, track = part.bore / 2, part.width / 2, part.track_width / 2
         end, rib = part.shaft_length / 2, part.outside_diameter / 2
@@ -91,9 +96,10 @@ def _at_end(end: int, near: float, far: float, inner: float, outer: float) -> Wa
 def _beside_groove(part: Part, groove: Groove, x: float, low: float, high: float) -> tuple[float, float]:
     """Inner and outer radius [m] of a wall between which the groove leaves material."""
     land = part.raceway_diameter / 2
-    if isinstance(part, RingOnShaft):
-        return low, groove.surface(x, land, -1) if high == land else high
-    return groove.surface(x, land, 1) if low == land else low, high
+    surface = groove.surface(x, land, part.outward)
+    if part.outward < 0:
+        return low, surface if high == land else high
+    return surface if low == land else low, high
 
 
 def _require_on_bar(cage: SquirrelCage, probe: Probe) -> None:

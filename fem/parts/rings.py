@@ -7,6 +7,7 @@ phi turns from z towards y, so that the outward normal of a raceway is (0, sin p
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite, pi, tan
+from typing import ClassVar
 
 from fem.parts.boundary_conditions import (
     FreeMotions,
@@ -25,7 +26,6 @@ from fem.parts.material import (
     require_positive,
 )
 from fem.parts.room import ROUNDING, SLENDEREST_SLOT, places_on_cones, require_inside, require_room
-from fem.parts.squirrel_cage import SquirrelCage
 
 MIDDLE = (0.0,)  # [m] axial place of the only row of rollers
 
@@ -33,6 +33,8 @@ MIDDLE = (0.0,)  # [m] axial place of the only row of rollers
 @dataclass(frozen=True, kw_only=True)
 class OuterRing:
     """A plain outer ring with what holds it."""
+
+    outward: ClassVar[int] = 1  # sign of the radial direction from rollers or balls into the part
 
     raceway_diameter: float  # [m] inner surface
     thickness: float  # [m] radial
@@ -106,6 +108,8 @@ class OuterRing:
 class RingOnShaft:
     """An inner ring with two ribs or none, bonded on a shaft that is clamped at both ends."""
 
+    outward: ClassVar[int] = -1  # sign of the radial direction from rollers or balls into the part
+
     raceway_diameter: float  # [m] outer surface between the ribs
     track_width: float  # [m] axial, between the ribs; the whole width of a ring without ribs
     rib_diameter: float | None  # [m] outside of the ribs; None: there are none
@@ -175,9 +179,6 @@ class RingOnShaft:
             low <= diameter <= high, "shoulder_diameter", in_mm(diameter),
             f"{in_mm(low)} to {in_mm(high)}, between bore and outside",
         )  # fmt: skip
-
-
-Part = SquirrelCage | OuterRing | RingOnShaft
 
 
 def require_conical(part: OuterRing | RingOnShaft, wall: float, radius: float) -> None:

@@ -5,6 +5,7 @@ Lengths, azimuths and directions as in `fem.parts.rings`.
 
 from dataclasses import dataclass
 from math import ceil, pi, sin
+from typing import ClassVar
 
 from fem.parts.groove import Groove
 from fem.parts.material import Elastic, in_mm, require, require_positive
@@ -53,6 +54,8 @@ class SquirrelCage:
     The flange has the section of the ring radially. The first bar is centred at azimuth 0. A collar makes the
     end of the ring thicker outwards; the bars on it stay where they are.
     """
+
+    outward: ClassVar[int] = 1  # sign of the radial direction from rollers or balls into the part
 
     raceway_diameter: float  # [m] inner surface of the ring
     thickness: float  # [m] radial, of ring and flange

@@ -6,6 +6,7 @@ along its axis from the middle of the loaded band, z points to azimuth 0 and y c
 
 from dataclasses import dataclass, field
 from math import inf
+from typing import ClassVar
 
 import numpy as np
 
@@ -70,6 +71,8 @@ class StepSolid:
     The raceway is a cylinder about the axis, on which the loaded band fits; it is cut out exactly. Or it is a
     groove of one arc around balls, drawn at least as far as its lands.
     """
+
+    outward: ClassVar[int] = 1  # sign of the radial direction from rollers or balls into the part
 
     drawing: bytes = field(repr=False)  # content of the file; any length unit, it knows its own
     raceway_diameter: float  # [m] of the bearing; the drawn one may differ a little and is used; of lands

@@ -32,12 +32,13 @@ from fem.mesh.section_mesh import faces_of
 from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.groove import BallPatches
+from fem.parts.part import Part
 from fem.parts.resolution import Resolution, Shape
-from fem.parts.rings import MeshSize, OuterRing, Patches, RingOnShaft, SquirrelCage
+from fem.parts.rings import MeshSize, Patches
 from fem.parts.surroundings import Surroundings
 from fem.raceway.stations import fade
 from fem.section.expansion import heating, rotation
-from fem.section.raceway_shapes import body_of_revolution, outward, raceway_modes
+from fem.section.raceway_shapes import body_of_revolution, raceway_modes
 from fem.section.revolved_body import Body
 from fem.section.rigid_body_modes import held_on_points
 from fem.solid.extremes import NOWHERE, Samples
@@ -49,9 +50,6 @@ BETWEEN = 9  # azimuths of fine samples, from half way before a coarse one to ha
 CHUNK = 64  # azimuths of a piece
 AXES = [0, 1, 2, 3, 5, 4]  # xx, rr, tt, xr, rt, xt of what the forms give as xx, rr, tt, xr, xt, rt
 EVEN = [0, 1, 2, 3]  # of them, which go with the cosine
-
-
-Revolved = OuterRing | RingOnShaft | SquirrelCage  # the last with a groove, its bars spread evenly
 
 
 @dataclass(frozen=True)
@@ -67,9 +65,9 @@ class Field:
 class LoadedSection:
     """A body of revolution under rollers or balls; see `fem.solid.extremes.Sampled`."""
 
-    part: Revolved
+    part: Part  # a cage with its bars spread evenly
     patches: Patches | BallPatches
-    forces: NDArray  # (Z, M) [N] positive outward
+    forces: NDArray  # (Z, M) [N] positive outward; of a groove on all stations of one arc, then of the other
     surroundings: Surroundings
     fields: tuple[Field, Field]  # of the lower and the higher order
     moved: tuple[Faces, Faces] | None = None  # with which nodes of another mesh were moved, before and after
@@ -181,8 +179,8 @@ class LoadedSection:
         """Share of a line that patches carry in harmonics (N + 1, M), or (N + 1, 1) of rollers [-]."""
         groove, patches = self.part.groove, self.patches
         if groove is not None and isinstance(patches, BallPatches):
-            angles = np.array(patches.stations.angles)
-            return fade(groove, outward(self.part), angles, patches.width, int(n[-1]))
+            angles = np.tile(patches.stations.angles, len(groove.sides))
+            return fade(groove, self.part.outward, angles, patches.width, int(n[-1]))
         return np.exp(-((n[:, None] * patches.width / self.radius) ** 2) / 2)
 
 
@@ -212,7 +210,7 @@ def _strains(of_order: Field, mapped: Any, radius: NDArray) -> tuple[NDArray, ND
 
 @threads(1)  # sections are small: a second thread would only wait
 def loaded_section(
-    part: Revolved,
+    part: Part,
     patches: Patches | BallPatches,
     forces: NDArray,
     mesh_size: MeshSize,
@@ -221,10 +219,10 @@ def loaded_section(
 ) -> LoadedSection:
     """Solve a body of revolution under rollers or balls, by two orders of displacements.
 
-    Forces (Z, M) [N] are those of `fem.assembly.roller_loads`, or on stations of a groove, positive outward;
-    the part is held in every direction, a cage may have a groove. `mesh_size` has the higher order, 2 or
-    more; surroundings are heat and rotation; with `nodes_of` the mesh of another part and band is taken, its
-    nodes moved to these.
+    Forces (Z, M) [N] are those of `fem.assembly.roller_loads`, or on stations of a groove, arc by arc,
+    positive outward; the part is held in every direction, a cage may have a groove. `mesh_size` has the
+    higher order, 2 or more; surroundings are heat and rotation; with `nodes_of` the mesh of another part and
+    band is taken, its nodes moved to these.
     Raises `ImpossiblePart` if the part is not known as a body of revolution, `NotSolved` if a solve fails.
 
     Valid
@@ -262,7 +260,7 @@ def _resolution(patches: Patches | BallPatches, mesh: MeshSize, nodes_of: Shape 
 
 
 @lru_cache(maxsize=4)  # both orders of both rings: only the forces differ from row to row of a study
-def _answered(part: Revolved, resolution: Resolution, last: int) -> tuple[Body, HarmonicAnswers]:
+def _answered(part: Part, resolution: Resolution, last: int) -> tuple[Body, HarmonicAnswers]:
     body = body_of_revolution(part, resolution)
     return body, answers(body.stiffness, raceway_modes(body, part, resolution), last)
 

@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.assembly.factorisation import threads
-from fem.parts.bolted_ring import BoltedRing
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.groove import Groove, Stations
 from fem.parts.material import ImpossiblePart, require
+from fem.parts.part import Part
 from fem.parts.resolution import Resolution
-from fem.parts.rings import MIDDLE, OuterRing, Part, RingOnShaft
+from fem.parts.rings import MIDDLE, OuterRing, RingOnShaft
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance, highest_harmonic
 from fem.raceway.stations import DETAIL, GrooveCompliance
@@ -23,7 +23,7 @@ from fem.stages import Stage
 Raceway = HarmonicCompliance | GrooveCompliance
 
 
-def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -> NDArray:
+def raceway_modes(body: Body, part: Part, resolution: Resolution) -> NDArray:
     """Load vectors (unknowns, M) of the shapes in which a raceway is loaded, which also read it.
 
     They are `edge_modes` of axial modes or `station_modes` of a groove.
@@ -31,7 +31,7 @@ def raceway_modes(body: Body, part: Part | BoltedRing, resolution: Resolution) -
     """
     if part.groove is None:
         return np.hstack(list(_of_rows(body, part, resolution)))
-    return station_modes(body, part.groove, outward(part), _stations(part, part.groove, resolution))
+    return station_modes(body, part.groove, part.outward, _stations(part, part.groove, resolution))
 
 
 def _of_rows(body: Body, part: Part, resolution: Resolution) -> Iterator[NDArray]:
@@ -44,16 +44,14 @@ def _of_rows(body: Body, part: Part, resolution: Resolution) -> Iterator[NDArray
             yield edge_modes(body, "raceway", 1, direction=0, **of_row)
 
 
-def body_of_revolution(part: Part | BoltedRing, resolution: Resolution) -> Body:
+def body_of_revolution(part: Part, resolution: Resolution) -> Body:
     """Assembled sections of a part; bars of a cage are spread evenly around it."""
     if isinstance(part, SquirrelCage):
         return assembled_cage(part, resolution)
     return body_of(part, resolution)
 
 
-def raceway_compliance(
-    part: Part | BoltedRing, resolution: Resolution, answers: Responses, seconds: dict
-) -> Raceway:
+def raceway_compliance(part: Part, resolution: Resolution, answers: Responses, seconds: dict) -> Raceway:
     """Compliance of a raceway for elements anywhere, from the answers (N + 1, M, M) of its shapes."""
     if part.groove is None:
         return harmonic_compliance(
@@ -64,7 +62,7 @@ def raceway_compliance(
     stations = _stations(part, part.groove, resolution)
     return GrooveCompliance(
         groove=part.groove,
-        outward=outward(part),
+        outward=part.outward,
         angles=np.array(stations.angles),
         width=stations.width,
         response=answers.response,
@@ -75,7 +73,7 @@ def raceway_compliance(
     )
 
 
-def last_harmonic_of_patches(part: Part | BoltedRing, resolution: Resolution) -> int:
+def last_harmonic_of_patches(part: Part, resolution: Resolution) -> int:
     """Harmonics that the patches on a groove have, or that are given.
 
     Raises `ImpossiblePart` if the part has no groove; `NotSolved` if the mesh is too coarse for them.
@@ -83,14 +81,12 @@ def last_harmonic_of_patches(part: Part | BoltedRing, resolution: Resolution) ->
     groove, stations = part.groove, resolution.stations
     if groove is None or stations is None:
         raise ImpossiblePart(f"groove = {groove} with stations = {stations} is impossible; give both")
-    outermost = max(groove.bottom(outward(part)), groove.centre_radius)
+    outermost = max(groove.bottom(part.outward), groove.centre_radius)
     return highest_harmonic(outermost, DETAIL * stations.width, resolution.mesh, resolution.harmonics)
 
 
 @threads(1)
-def groove_compliance(
-    part: Part | BoltedRing, resolution: Resolution, stage: Stage, seconds: dict
-) -> Raceway:
+def groove_compliance(part: Part, resolution: Resolution, stage: Stage, seconds: dict) -> Raceway:
     """Compliance of the groove of a body of revolution at stations of its arcs.
 
     Bars of a cage are spread evenly around it. Harmonics are by default as many as the patches of the
@@ -133,12 +129,12 @@ def referred(W: NDArray, rigid: NDArray, of_raceway: NDArray) -> NDArray:
     return projection.T @ W @ projection
 
 
-def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -> Stations:
+def _stations(part: Part, groove: Groove, resolution: Resolution) -> Stations:
     """Stations that are on the arcs of a groove."""
     stations = resolution.stations
     if stations is None:
         raise ImpossiblePart(f"groove = {groove} with stations = None is impossible; give both")
-    end = groove.end(part.raceway_diameter / 2, outward(part))
+    end = groove.end(part.raceway_diameter / 2, part.outward)
     first = groove.bottom_angle if groove.aside else -end
     margin = stations.width / groove.radius
     require(
@@ -148,13 +144,6 @@ def _stations(part: Part | BoltedRing, groove: Groove, resolution: Resolution) -
     return stations
 
 
-def taper(part: Part | BoltedRing) -> float:
+def taper(part: Part) -> float:
     """Angle of a raceway from the axis [rad], of two of that at -x; zero of a cylinder."""
     return part.taper if isinstance(part, OuterRing | RingOnShaft) else 0.0
-
-
-def outward(part: Part | BoltedRing) -> int:
-    """1 where a part is outside of the balls, else -1."""
-    if isinstance(part, BoltedRing):
-        return part.outward
-    return -1 if isinstance(part, RingOnShaft) else 1

@@ -1,14 +1,16 @@
 """Places whose stress is neither that of a contact nor that of a sharp edge."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fem.mesh.notches import Notches, notches
 from fem.parts.groove import BallPatches, Groove
-from fem.parts.rings import Part, Patches, RingOnShaft
+from fem.parts.part import Part
+from fem.parts.rings import Patches
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 
@@ -61,14 +63,16 @@ class GrooveArc:
     groove: Groove
     outward: int  # 1 where the race is outside the balls, else -1
     ends: tuple[float, float]  # [rad]
+    side: int = 1  # of the arc, see `Groove.sides`
 
     def nearest(self, places: NDArray, phi: float) -> NDArray:
         """Of the arc, the places (n, 3) next to places (n, 3) [m]."""
-        x, y, z = places.T
-        depth = self.outward * (y * np.sin(phi) + z * np.cos(phi) - self.groove.centre_radius)
-        angle = np.clip(np.arctan2(x, depth), *self.ends)
-        r = self.groove.centre_radius + self.outward * self.groove.radius * np.cos(angle)
-        return np.stack([self.groove.radius * np.sin(angle), r * np.sin(phi), r * np.cos(phi)], axis=1)
+        (x, y, z), groove, towards = places.T, self.groove, self.outward * self.side
+        depth = self.outward * (y * np.sin(phi) + z * np.cos(phi) - groove.centre_radius)
+        angle = np.clip(np.arctan2(towards * x + groove.aside, depth), *self.ends)
+        x = towards * (groove.radius * np.sin(angle) - groove.aside)
+        r = groove.centre_radius + self.outward * groove.radius * np.cos(angle)
+        return np.stack([x, r * np.sin(phi), r * np.cos(phi)], axis=1)
 
     def turned(self, places: NDArray, phi: float, reach: float) -> NDArray:
         """No places: those pushed away from the arc are close enough to its end."""
@@ -81,8 +85,7 @@ class Clearing:
 
     part: Part | StepSolid
     sharp: Notches
-    loaded: NDArray  # (n,) azimuths of loaded rollers or balls [rad]
-    contact: Contact
+    loaded: list[tuple[Contact, float]]  # with the azimuth [rad] of the roller or ball that presses it
     reach: float  # [m] within which of a contact's line places do not count
     tips: NDArray | None  # of fillets, see `_tips`
 
@@ -90,8 +93,8 @@ class Clearing:
         """Whether places (n, 3) [m] count (n,)."""
         x, y, z = places.T
         far = self.sharp.clear(x, np.hypot(y, z))
-        for phi in self.loaded:
-            far &= self._distance(places, phi) > self.reach
+        for contact, phi in self._near(places):
+            far &= _distance(contact, places, phi) > self.reach
         return far if self.tips is None else far & _beyond_tips(self.part, self.tips, places)
 
     def rim(self, places: NDArray) -> NDArray:
@@ -101,24 +104,40 @@ class Clearing:
         about `MOVED` of every contact, moved around the axis, and moved straight away from its line.
         """
         moved, end = [np.zeros((0, 3))], (1 + JUST_BEYOND) * self.reach
-        for phi in self.loaded:
-            within = places[self._distance(places, phi) <= self.reach]
+        for contact, phi in self._near(places):
+            within = places[_distance(contact, places, phi) <= self.reach]
             within = within[:: 1 + len(within) // MOVED]
-            moved += [self.contact.turned(within, phi, end), self._pushed(within, phi, end)]
+            moved += [contact.turned(within, phi, end), _pushed(contact, within, phi, end)]
         rim = np.concatenate(moved)
         return rim[self(rim)]
 
-    def _distance(self, places: NDArray, phi: float) -> NDArray:
-        """From places (n, 3) to the line of a contact (n,)."""
-        return np.linalg.norm(places - self.contact.nearest(places, phi), axis=1)
+    def _near(self, places: NDArray) -> list[tuple[Contact, float]]:
+        """Contacts that may reach some of these places: lines are in half-planes of their azimuth."""
+        if not len(places):
+            return []
+        azimuth, least = np.arctan2(places[:, 1], places[:, 2]), np.hypot(places[:, 1], places[:, 2]).min()
+        window = np.arcsin(self.reach / least) if self.reach < least else np.pi
+        most = np.abs(_wrapped(azimuth - azimuth[0])).max() + window
+        return [each for each in self.loaded if abs(_wrapped(each[1] - azimuth[0])) <= most]
 
-    def _pushed(self, places: NDArray, phi: float, end: float) -> NDArray:
-        """Places within reach pushed away from the line of a contact to its end."""
-        nearest = self.contact.nearest(places, phi)
-        away = places - nearest
-        distance = np.linalg.norm(away, axis=1)
-        off = distance > 0
-        return nearest[off] + away[off] * (end / distance[off])[:, None]
+
+def _wrapped(angle):
+    """The same angle between -pi and pi [rad]."""
+    return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
+def _distance(contact: Contact, places: NDArray, phi: float) -> NDArray:
+    """From places (n, 3) to the line of a contact (n,)."""
+    return np.linalg.norm(places - contact.nearest(places, phi), axis=1)
+
+
+def _pushed(contact: Contact, places: NDArray, phi: float, end: float) -> NDArray:
+    """Places within reach pushed away from the line of a contact to its end."""
+    nearest = contact.nearest(places, phi)
+    away = places - nearest
+    distance = np.linalg.norm(away, axis=1)
+    off = distance > 0
+    return nearest[off] + away[off] * (end / distance[off])[:, None]
 
 
 def clearing(
@@ -133,23 +152,33 @@ def clearing(
 
     `forces` are generalised (Z, M) [N], or on stations of a groove; `radius` is that of the raceway [m].
     """
-    on_balls = isinstance(patches, BallPatches)
-    load = np.abs(forces.sum(axis=1) if on_balls else forces[:, 0])
     return Clearing(
-        part=part, sharp=notches(part), loaded=np.array(patches.azimuths)[load > UNLOADED * load.max()],
-        contact=_arc(part, patches, forces) if on_balls else RollerLine(radius, patches.length),
-        reach=CONTACT * patches.width,
+        part=part, sharp=notches(part), reach=CONTACT * patches.width,
+        loaded=[
+            (contact, azimuth)
+            for contact, load in _contacts(part, patches, forces, radius)
+            for azimuth, is_loaded in zip(patches.azimuths, load > UNLOADED, strict=True) if is_loaded
+        ],
         tips=_tips(part) if isinstance(part, SquirrelCage) and part.fillet > 0 else None,
     )  # fmt: skip
 
 
-def _arc(part: Part | StepSolid, patches: BallPatches, forces: NDArray) -> GrooveArc:
-    groove = getattr(part, "groove", None)
-    assert groove  # of every part under balls
-    load = np.abs(forces).max(axis=0)
-    pressed = np.array(patches.stations.angles)[load > UNLOADED * load.max()]
-    outward = -1 if isinstance(part, RingOnShaft) else 1
-    return GrooveArc(groove, outward, (float(pressed.min()), float(pressed.max())))
+def _contacts(
+    part: Any, patches: Patches | BallPatches, forces: NDArray, radius: float
+) -> Iterator[tuple[Contact, NDArray]]:
+    """Yield lines of contacts with the load of every roller or ball on them, over the largest (Z,) [-]."""
+    if not isinstance(patches, BallPatches):
+        load = np.abs(forces[:, 0])
+        yield RollerLine(radius, patches.length), load / (load.max() or 1.0)
+        return
+    angles, sides = np.array(patches.stations.angles), part.groove.sides
+    on_arcs = forces.reshape(len(forces), len(sides), angles.size)
+    load, stations = np.abs(on_arcs.sum(axis=2)), np.abs(on_arcs).max(axis=0)
+    for arc, side in enumerate(sides):
+        if stations[arc].any():
+            ends = angles[stations[arc] > UNLOADED * stations[arc].max()]
+            contact = GrooveArc(part.groove, part.outward, (float(ends.min()), float(ends.max())), side)
+            yield contact, load[:, arc] / load.max()
 
 
 def _tips(cage: SquirrelCage) -> NDArray:

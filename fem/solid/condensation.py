@@ -14,8 +14,8 @@ from fem.half_space.gaussian_patch import patch_answers
 from fem.half_space.load_patch import half_space
 from fem.mesh.solid import meshed
 from fem.parts.groove import BallPatches
+from fem.parts.part import Part
 from fem.parts.resolution import Resolution, neighbour
-from fem.parts.rings import Part
 from fem.parts.squirrel_cage import SquirrelCage
 from fem.parts.step_solid import StepSolid
 from fem.raceway import symmetry

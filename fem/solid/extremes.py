@@ -1,5 +1,6 @@
 """The largest stresses of a body, found among samples of two orders, which tell the error."""
 
+from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import NamedTuple, Protocol
@@ -113,14 +114,14 @@ def extremes(sampled: Sampled, body: str, clear: Clearing) -> BodyExtremes:
     :math:`\lambda = 0.54` (Williams 1952; Babuska and Suri 1990): the error of order p over the change from
     p - 1 is then 1.1, 1.6 and 2.0 for p = 4, 5 and 6.
     """
-    best: dict[str, list[Candidate]] = {name: [] for name in MEASURES}
+    best: dict[str, list[Candidate]] = defaultdict(list)
     shift = 0.0
     for piece in sampled.pieces(body):
         samples = sampled.samples(body, piece, COARSE)
         shift = max(shift, float(np.linalg.norm(samples.displacement, axis=1).max()))
         far = clear(samples.place)
-        for name, measure in MEASURES.items():
-            values = np.where(far, measure(samples.stress), -np.inf)
+        for name, measured in _measures(samples.stress).items():
+            values = np.where(far, measured, -np.inf)
             largest = _peaks(values, samples.key, samples.place, clear.reach)
             best[name] += [
                 Candidate(values[k], piece, int(samples.key[k]), samples.place[k]) for k in largest
@@ -128,8 +129,8 @@ def extremes(sampled: Sampled, body: str, clear: Clearing) -> BodyExtremes:
     if not best["von_mises"]:
         raise ImpossiblePart(f"every place of {body!r} is close to a loaded roller or to a sharp edge")
     found = {
-        name: _looked_into(sampled, body, clear, measure, _best(best[name], clear.reach))
-        for name, measure in MEASURES.items()
+        name: _looked_into(sampled, body, clear, name, _best(candidates, clear.reach))
+        for name, candidates in best.items()
     }
     least = LEAST * max(abs(largest.value) for largest in found.values())
     return BodyExtremes(
@@ -146,14 +147,16 @@ def _best(candidates: list[Candidate], reach: float) -> list[Candidate]:
 
 def _peaks(values: NDArray, key: NDArray, place: NDArray, reach: float) -> list[int]:
     """Numbers of the largest values, one of each element, and a few of each peak: others may be higher."""
-    left, chosen = values.copy(), []
+    ordered = np.lexsort((values, key))
+    of_elements = ordered[np.append(key[ordered][1:] != key[ordered][:-1], True)]  # the largest of each
+    left, chosen, place = values[of_elements], [], place[of_elements]
     while len(chosen) < CANDIDATES and np.isfinite(left[k := int(left.argmax())]):
         near = np.linalg.norm(place - place[k], axis=1) < reach
         crowded = np.count_nonzero(near[chosen]) >= OF_A_PEAK
         if not crowded:
             chosen.append(k)
-        left[near if crowded else key == key[k]] = -np.inf
-    return chosen
+        left[near if crowded else k] = -np.inf
+    return [int(of_elements[k]) for k in chosen]
 
 
 def _fine(sampled: Sampled, body: str, piece: int, keys: NDArray, clear: Clearing) -> list[Samples]:
@@ -171,7 +174,7 @@ def _fine(sampled: Sampled, body: str, piece: int, keys: NDArray, clear: Clearin
     return both
 
 
-def _looked_into(sampled: Sampled, body: str, clear, measure, candidates) -> Largest:
+def _looked_into(sampled: Sampled, body: str, clear, name: str, candidates) -> Largest:
     """The largest of a measure among fine samples of its candidates, without the least error."""
     value, lower, halved, changed, place = -np.inf, -np.inf, -np.inf, 0.0, np.zeros(3)
     for piece in sorted({candidate.piece for candidate in candidates}):
@@ -180,15 +183,15 @@ def _looked_into(sampled: Sampled, body: str, clear, measure, candidates) -> Lar
         far = clear(samples.place)
         if not far.any():
             continue
-        values = np.where(far, measure(samples.stress), -np.inf)
-        of_lower = measure(others.stress)
+        values = np.where(far, _measures(samples.stress)[name], -np.inf)
+        of_lower = _measures(others.stress)[name]
         if values.max() > value:
             most = values.argmax()
             value, place = float(values[most]), samples.place[most]
             changed = abs(value - float(of_lower[most]))
         halved = max(halved, float(np.max(values, where=samples.even, initial=-np.inf)))
         lower = max(lower, float(np.max(of_lower, where=far, initial=-np.inf)))
-    sign = -1.0 if measure is _pressure else 1.0
+    sign = -1.0 if name == "compression" else 1.0
     return Largest(
         value=sign * value,
         error=CAUTION * max(abs(value - lower), changed) + value - halved,
@@ -242,14 +245,7 @@ def principal(stress: NDArray) -> NDArray:
     return np.linalg.eigvalsh(_tensors(stress))[:, ::-1]
 
 
-def _tension(stress: NDArray) -> NDArray:
-    """Largest principal stress (n,) [Pa]."""
-    return principal(stress)[:, 0]
-
-
-def _pressure(stress: NDArray) -> NDArray:
-    """The smallest principal stress, compression positive (n,) [Pa]."""
-    return -principal(stress)[:, 2]
-
-
-MEASURES = {"von_mises": von_mises, "tension": _tension, "compression": _pressure}
+def _measures(stress: NDArray) -> dict[str, NDArray]:
+    """What is looked for the largest of (n,) each [Pa], compression positive."""
+    main = principal(stress)
+    return {"von_mises": von_mises(stress), "tension": main[:, 0], "compression": -main[:, 2]}

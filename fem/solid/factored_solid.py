@@ -14,7 +14,8 @@ from fem.assembly.elasticity import elastic_energy
 from fem.assembly.factorisation import Factorisation, factorised, threads
 from fem.mesh.solid import meshed
 from fem.parts.groove import BallPatches
-from fem.parts.rings import ImpossiblePart, MeshSize, Part, Patches
+from fem.parts.part import Part
+from fem.parts.rings import ImpossiblePart, MeshSize, Patches
 from fem.parts.step_solid import StepSolid
 from fem.solid.fields import LoadedSolid
 

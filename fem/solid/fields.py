@@ -9,7 +9,8 @@ import ngsolve as ngs
 from numpy.typing import NDArray
 
 from fem.parts.groove import BallPatches
-from fem.parts.rings import ImpossiblePart, Part, Patches
+from fem.parts.part import Part
+from fem.parts.rings import ImpossiblePart, Patches
 from fem.parts.step_solid import StepSolid
 from fem.solid.stress import stress
 from fem.solid.vtu import vtu

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from fem.parts.material import ImpossiblePart, in_mm
+from fem.parts.part import Part
 from fem.parts.probe import Probe, radius
-from fem.parts.rings import Part
 from fem.parts.step_solid import StepSolid
 from fem.solid.extremes import CAUTION, Sampled
 from fem.solid.lattice import hooke_reversed

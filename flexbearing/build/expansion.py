@@ -6,6 +6,7 @@ from flexbearing.case.materials import Elastic, Material
 from flexbearing.case.roller import Case
 
 if TYPE_CHECKING:
+    from flexbearing.build.groove_parts import BallCase
     from flexbearing.case.balls.angular_contact import FastCase
 
 
@@ -31,8 +32,8 @@ def expansion_coefficient(case: "Case | FastCase", part: str) -> float:
 @overload
 def material(case: Case, part: str) -> Material: ...
 @overload
-def material(case: "FastCase", part: str) -> Elastic: ...
-def material(case: "Case | FastCase", part: str) -> Elastic:
+def material(case: "BallCase", part: str) -> Elastic: ...
+def material(case: "Case | BallCase", part: str) -> Elastic:
     """Material of a part; where it has none of its own that of the outer ring, or of a ring by the balls."""
     if isinstance(case, Case):
         return getattr(case.materials, part) or case.materials.outer_ring

@@ -15,13 +15,13 @@ from flexbearing.case.materials import Elastic
 from flexbearing.case.quantity import require
 
 if TYPE_CHECKING:
+    from fem.parts.part import Part
     from fem.parts.step_solid import StepSolid
 
-    GroovePart = fem.OuterRing | fem.RingOnShaft | fem.SquirrelCage | StepSolid | BoltedRing
 BallCase = FastCase | FourPointCase
 
 
-def groove_part(case: BallCase, race: Race) -> "GroovePart | None":
+def groove_part(case: BallCase, race: Race) -> "Part | StepSolid | None":
     """Part that carries a groove; None where it is rigid, or on a cam.
 
     Raises `BadCase` when no such part can exist.
@@ -38,8 +38,10 @@ def groove_part(case: BallCase, race: Race) -> "GroovePart | None":
         raise BadCase(f"{case.source.path}: [{section}] {problem}") from problem
 
 
-def why_no_solid(case: FastCase, race: Race) -> str:
+def why_no_solid(case: BallCase, race: Race) -> str:
     """Why stress and strain of a part are not known; empty where they are."""
+    if isinstance(case, FourPointCase):
+        return ""
     outer = case.outer
     if race == "outer" and outer.kind == "matrix":
         return 'outer.kind = "matrix" has no solid: its body is known by a matrix alone'

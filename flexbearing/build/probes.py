@@ -10,10 +10,10 @@ from flexbearing.build.ring_parts import NAMES, Race
 from flexbearing.case.roller import Case
 
 if TYPE_CHECKING:
-    from flexbearing.case.balls.angular_contact import FastCase
+    from flexbearing.build.groove_parts import BallCase
 
 
-def probes(case: "Case | FastCase", race: Race) -> dict[int, Probe]:
+def probes(case: "Case | BallCase", race: Race) -> dict[int, Probe]:
     """Probes on one ring by their numbers from 0, at the temperature of its finite elements."""
     table = case.outputs.probes
     hot = hot_over_cold(case, f"{race}_ring") if isinstance(case, Case) else 1.0
@@ -32,7 +32,7 @@ def probes(case: "Case | FastCase", race: Race) -> dict[int, Probe]:
 
 
 def require_probes(
-    case: "Case | FastCase", part_of: Callable[[Any, Race], Any], why_no_solid: Callable[[Any, Race], str]
+    case: "Case | BallCase", part_of: Callable[[Any, Race], Any], why_no_solid: Callable[[Any, Race], str]
 ) -> None:
     """Refuse probes on rigid rings, on those whose solid is not known, and beside their material.
 
@@ -42,8 +42,9 @@ def require_probes(
         there = probes(case, race)
         if not there:
             continue
-        part, kind = part_of(case, race), getattr(case, race).kind
-        words = why_no_solid(case, race) if part else f'{race}.kind = "{kind}" does not deflect'
+        part, bolted = part_of(case, race), getattr(case, "rings", None)
+        kind, key = getattr(bolted or case, race).kind, f"rings.{race}" if bolted else race
+        words = why_no_solid(case, race) if part else f'{key}.kind = "{kind}" does not deflect'
         if part is None or words:
             raise fem.ImpossiblePart(f"[outputs.probes] probe {min(there) + 1}: {words}")
         for number, probe in there.items():

@@ -102,8 +102,8 @@ class Probes(Section):
         return tuple(Row(*row) for row in zip(*columns, strict=True))
 
 
-class RingOutputs(LifeOutputs):
-    """What is computed beside the solution."""
+class SolidOutputs(Section):
+    """What is computed of rings whose solids are known."""
 
     stresses: bool = key(
         "whether the largest stresses of the flexible parts at the end state are stored, and of roller "
@@ -116,3 +116,11 @@ class RingOutputs(LifeOutputs):
         "probes, or one for each",
         None,
     )
+
+
+class RingOutputs(SolidOutputs, LifeOutputs):
+    """What is computed beside the solution."""
+
+
+class BoltedOutputs(SolidOutputs, ContactOutputs):
+    """What is computed beside the solution."""

@@ -44,11 +44,8 @@ class BallState:
     @classmethod
     def of(cls, state: AngularContactState, angles: NDArray, status: str = "converged") -> "BallState":
         """Balls in a state, stations at angles (2, K) [rad]."""
-        at = state.contact_angles
-        normal, tangent = np.stack([np.sin(at), np.cos(at)], -1), np.stack([np.cos(at), -np.sin(at)], -1)
-        pressed = state.loads[..., None] * normal + state.section_forces[..., None] * tangent
-        by_vector = [StationShares.of(*race).by_vector for race in zip(angles, at, strict=True)]
-        return cls(state, (np.array(by_vector) @ pressed[..., None])[..., 0], status)
+        of_races = zip(angles, state.contact_angles, state.loads, state.section_forces, strict=True)
+        return cls(state, np.array([station_forces(*race) for race in of_races]), status)
 
     @property
     def loads(self) -> NDArray:
@@ -73,6 +70,16 @@ class BallState:
         """The balance to which further steps lead; raises `PartnerFailed`."""
         *_, last = self, *self.rest
         return last
+
+
+def station_forces(angles: NDArray, at: NDArray, loads: NDArray, section_forces: NDArray) -> NDArray:
+    """Forces (..., K) [N] of contacts at angles (...) on stations at `angles` (K) [rad] of one race.
+
+    Loads (...) by shares of stations, forces (...) along the section of the groove by their slopes.
+    """
+    normal, tangent = np.stack([np.sin(at), np.cos(at)], -1), np.stack([np.cos(at), -np.sin(at)], -1)
+    pressed = loads[..., None] * normal + section_forces[..., None] * tangent
+    return (StationShares.of(angles, at).by_vector @ pressed[..., None])[..., 0]
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,10 @@ import numpy as np
 from flexbearing.quantities.attributes import HEAD
 from flexbearing.quantities.ball_clearance import CLEARANCE_ATTRIBUTE
 from flexbearing.quantities.contact_stress import SUBSURFACE_AXES, subsurface, worst_contact
+from flexbearing.quantities.coupling import STRESSES
 from flexbearing.quantities.layout import Axis, Layout
 from flexbearing.quantities.life_records import LIFE_ATTRIBUTE, RULE_ATTRIBUTE
+from flexbearing.quantities.probes import PROBE_AXIS, PROBES
 from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.reductions import (
     ABOUT_YZ,
@@ -267,6 +269,7 @@ QUANTITIES = (
         "pressure, mean of each cell; 0 outside the contact", source="fields.pressure", people=MPA),
     Quantity("field_stick", "", "F G race P1 P2", "1", "block",
         "1 where the surfaces stick, else 0, as everywhere in full sliding", source="fields.stick"),
+    *PROBES,
 )
 # fmt: on
 
@@ -283,6 +286,7 @@ Torques are what must be put in so that the inner ring runs ahead: positive ther
         Axis("P1", "across"),
         Axis("P2", "along"),
         *SUBSURFACE_AXES,
+        PROBE_AXIS,
     ),
     quantities=QUANTITIES,
     main=("max_contact_load", "loaded_balls", "peak_pressure.inner", "torque.inner", "power_loss"),
@@ -294,8 +298,13 @@ Torques are what must be put in so that the inner ring runs ahead: positive ther
     ),
     blocks=("rigid",),
     further_blocks=("flexible",),
-    further_attributes=(CLEARANCE_ATTRIBUTE, replace(LIFE_ATTRIBUTE, optional=True), RULE_ATTRIBUTE),
-    head=("kind", *HEAD, "clearance", "life", "life_rule"),
+    further_attributes=(
+        CLEARANCE_ATTRIBUTE,
+        replace(LIFE_ATTRIBUTE, optional=True),
+        RULE_ATTRIBUTE,
+        STRESSES,
+    ),
+    head=("kind", *HEAD, "clearance", "life", "life_rule", "stresses"),
     case_keys=(
         ("torque_formula", "friction", "torque"),
         ("friction_model", "friction", "model"),

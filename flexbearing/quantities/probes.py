@@ -5,14 +5,14 @@ from flexbearing.quantities.quantity import Quantity, SummaryValue, Unit
 from flexbearing.quantities.units import DEG, UM, UM_PER_M
 
 _NO_PROBES = "absent without [outputs.probes]"
-PROBE_AXIS = Axis("G", "probe", coordinate="probe_azimuth")
+PROBE_AXIS = Axis("J", "probe", coordinate="probe_azimuth")
 
 
 def _reading(name: str, symbol: str, meaning: str, people: Unit, source: str = "") -> Quantity:
     """What every probe reads."""
     unit = people.name.replace("/", "_per_")
     return Quantity(
-        f"probe_{name}", symbol, "G", "m" if people is UM else "1", "block",
+        f"probe_{name}", symbol, "J", "m" if people is UM else "1", "block",
         f"{meaning}, mean along the gauge; {_NO_PROBES}", source=f"probes.{source or name}", people=people,
         optional=True, summary=(SummaryValue(f"probes.{name}_{unit}"),),
     )  # fmt: skip
@@ -20,7 +20,7 @@ def _reading(name: str, symbol: str, meaning: str, people: Unit, source: str = "
 
 # fmt: off
 PROBES = (
-    Quantity("probe_azimuth", "", "G", "rad", "block",
+    Quantity("probe_azimuth", "", "J", "rad", "block",
         f"middle of the probe, 0 on the z axis, positive towards y; {_NO_PROBES}", source="probes.azimuth",
         people=DEG, optional=True, summary=(SummaryValue("probes.azimuth_deg"),)),
     _reading("radial_displacement", "u_r", "displacement of the ring, positive outward", UM,

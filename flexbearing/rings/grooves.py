@@ -12,6 +12,7 @@ import fem
 from fem.condense import HARMONICS, SMEARED, SOLID
 from fem.errors import NotSolved as RingNotSolved
 from fem.mesh.axial_section import require_affordable_section, sections, smeared_sections
+from fem.parts.part import Part
 from fem.parts.step_solid import StepSolid
 from fem.raceway.stations import narrowest_patch
 from flexbearing.build import held_ring
@@ -33,7 +34,7 @@ from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGro
 from quasidynamic.parts.angular_contact_bearing import azimuths_of_row
 
 if TYPE_CHECKING:
-    from flexbearing.build.groove_parts import GroovePart
+    pass
 
 MESH = 0.25  # largest element over the ball diameter
 FINER, FINER_IN_SPACE = 6.0, 3.0  # order of the elements times width of a patch, over those on the groove
@@ -46,7 +47,7 @@ class GrooveShape:
     """A part with the patches on its groove."""
 
     race: Race
-    part: "GroovePart"
+    part: Part | StepSolid
     reach: tuple[float, float]  # [rad] contact angles of the outermost stations
     width: float  # [m] of a patch
 

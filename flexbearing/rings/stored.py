@@ -14,10 +14,8 @@ from flexbearing.cache import configured
 from flexbearing.progress import Report
 
 if TYPE_CHECKING:
-    from fem.parts.bolted_ring import BoltedRing
+    from fem.parts.part import Part
     from fem.parts.step_solid import StepSolid
-
-    Part = fem.SquirrelCage | fem.OuterRing | fem.RingOnShaft | StepSolid | BoltedRing
 
 Arguments = tuple[Any, fem.Discretisation, fem.Resolution]  # a part, and what else decides its compliance
 Ahead = Callable[[], Any] | None  # gives a ring that is condensed in another place than usual
@@ -74,7 +72,9 @@ def _cached(kind: str, name: str, arguments: Arguments, report: Report, ahead: A
 
 
 @lru_cache(maxsize=16)  # of a design and what its derivatives need
-def _in_memory(part: "Part", discretisation: fem.Discretisation, resolution: fem.Resolution) -> Any:
+def _in_memory(
+    part: "Part | StepSolid", discretisation: fem.Discretisation, resolution: fem.Resolution
+) -> Any:
     """A part condensed once for cases one after the other, such as the designs of a search."""
     return condense(part, discretisation, resolution)
 

@@ -1,7 +1,7 @@
 """From a case to a bearing with fast balls, and from its solution to the arrays of a result file."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
@@ -24,6 +24,7 @@ from flexbearing.progress import Report
 from flexbearing.quantities.angular_contact import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.runs import elastic_grooves, judged, neglect, not_round, probes, shoulders, subsurface, teeth
+from flexbearing.runs.probes import Stresses
 from quasidynamic import ImpossiblePart, NotSolved, OutOfRange
 from quasidynamic.balance.balls.free_ball import OiledBalls
 from quasidynamic.columns import kind_and_numbers
@@ -53,7 +54,7 @@ class Solution:
     unrolled: str = ""  # why stick and slip are not known, where the case requires them
     without_torque: str = ""  # why the torque of friction is not known, though a coefficient is
     probes: "Readings | str | None" = None  # or why there are none, though the case has some
-    stresses: "Mapping[Race, dict[str, Any] | str] | None" = None  # largest ones, or why there are none
+    stresses: Stresses | None = None  # largest ones, or why there are none
 
     @property
     def worst(self) -> WorstPointContact:
@@ -235,17 +236,12 @@ def _with_fields(solution: Solution, report: Report) -> Solution:
         return solution
     from flexbearing.runs import groove_fields  # with finite elements
 
-    report.stage("stresses and strains of the rings", None)
+    report.stage(probes.STAGE, None)
     return replace(
         solution,
         probes=groove_fields.readings(solution.case, solution.state) if outputs.probes else None,
         stresses=groove_fields.stresses(solution.case, solution.state) if outputs.stresses else None,
     )
-
-
-def stress_records(solution: Solution) -> dict[str, dict[str, Any]]:
-    """Largest stresses of the rings of which they are known."""
-    return {race: each for race, each in (solution.stresses or {}).items() if not isinstance(each, str)}
 
 
 def on_cam(case: FastCase, model: qd.AngularContactBallBearing) -> qd.AngularContactBallBearing:
@@ -529,10 +525,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     }
     if not operation.by_friction:  # there balls turn where friction does not hold them
         values |= {"needed_friction": state.needed_friction.max(), "friction": case.friction.coefficient}
-    if stressed := stress_records(solution):
-        from flexbearing.runs import fields  # with finite elements
-
-        values |= fields.values(case, stressed)
+    values |= probes.values(case, solution.stresses)
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
         values |= {
@@ -613,12 +606,7 @@ def notes(solution: Solution, found: Iterable[Judged]) -> tuple[Note, ...]:
         + _stick(case, solution)
         + shoulders.unrolled(solution.unrolled)
         + shoulders.without_torque(solution.without_torque)
-        + probes.notes(solution.probes)
-        + tuple(
-            information("no-stresses", f"no stresses: {why}")
-            for why in (solution.stresses or {}).values()
-            if isinstance(why, str)
-        )
+        + probes.notes(solution.probes, solution.stresses)
         + subsurface.notes(case, solution.worst)
         + ball_lives.notes(case)
     )

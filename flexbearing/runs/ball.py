@@ -18,7 +18,7 @@ from flexbearing.quantities.angular_contact import LAYOUT as OF_FAST_BALLS
 from flexbearing.quantities.four_point import LAYOUT as OF_SLOW_BALLS
 from flexbearing.quantities.layout import Layout
 from flexbearing.results import Recorder
-from flexbearing.runs import angular_contact, ball_levels, four_point
+from flexbearing.runs import angular_contact, ball_levels, four_point, probes
 from flexbearing.runs.angular_contact import Block, named
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
 from quasidynamic import AngularContactState, ImpossiblePart, NotSolved, OutOfRange
@@ -58,7 +58,7 @@ def solve_four_point(case: FourPointCase, record: Recorder, report: Report) -> d
         words += f", the ring to {solution.distribution.imbalance:.1e} of the largest force"
     found = four_point.judge(solution)
     ending = _converged(words, four_point.notes(solution, found), found)
-    return {**ending, "clearance": clearance.record(case), **_lives(solution)}
+    return {**ending, "clearance": clearance.record(case), **_lives(solution), **_stresses(solution)}
 
 
 def solve_angular(
@@ -99,8 +99,14 @@ def solve_angular(
     life = solution.lives and solution.lives.of_state
     lives = {name: life.record()} if life else {}
     rule = {"life_rule": life_rules.of_elements(case)} if solution.lives else {}
-    stressed = {"stresses": angular_contact.stress_records(solution)} if case.outputs.stresses else {}
-    return {**ending, "clearance": clearance.record(case), "life": lives, **rule, **stressed, **coupled}
+    return {
+        **ending, "clearance": clearance.record(case), "life": lives, **rule, **_stresses(solution), **coupled
+    }  # fmt: skip
+
+
+def _stresses(solution: angular_contact.Solution | four_point.Solution) -> dict[str, Any]:
+    """Root attribute of the largest stresses where a case requires them."""
+    return {"stresses": probes.records(solution.stresses)} if solution.case.outputs.stresses else {}
 
 
 def _lives(solution: four_point.Solution) -> dict[str, Any]:

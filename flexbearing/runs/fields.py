@@ -20,6 +20,7 @@ from flexbearing.runs.part_fields import MEGA, NAMES, NoFields, PartFields, Race
 from quasidynamic.contact.line import Slices
 
 if TYPE_CHECKING:
+    from flexbearing.build.groove_parts import BallCase
     from flexbearing.case.balls.angular_contact import FastCase
 
 Arrays = Mapping[str, Any]  # name to array
@@ -30,7 +31,7 @@ WITHOUT_BARS = (3, 1.2, 0.4)
 FOR_STRESSES = {fem.OuterRing: (6, 0.6, 0.2), fem.RingOnShaft: (6, 0.6, 0.2), fem.SquirrelCage: (5, 0.6, 0.4)}
 
 
-def values(case: Case | FastCase, stresses: Mapping[Any, dict[str, Any]]) -> dict[str, dict[str, Any]]:
+def values(case: Case | BallCase, stresses: Mapping[Any, dict[str, Any]]) -> dict[str, dict[str, Any]]:
     """Largest von Mises stress of each body of each part and its yield stress [Pa], for findings."""
     found: dict[str, dict[str, Any]] = {"stress": {}, "yield_stress": {}}
     for race, record in stresses.items():

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, partial
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +20,9 @@ from flexbearing.progress import Report
 from flexbearing.quantities.four_point import LAYOUT
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.rings import grooves
-from flexbearing.runs import elastic_grooves, judged, neglect, shoulders, subsurface
+from flexbearing.runs import elastic_grooves, judged, neglect, probes, shoulders, subsurface
 from flexbearing.runs.angular_contact import STICK
+from flexbearing.runs.probes import Stresses
 from quasidynamic import OutOfRange
 from quasidynamic.balance.balls.elastic_grooves import ElasticGrooves
 from quasidynamic.balance.balls.four_contacts import SIDE_OF_DIAGONAL
@@ -32,6 +33,9 @@ from quasidynamic.outcome.rating_life import BALLS
 from quasidynamic.outcome.worst_point_contact import WorstPointContact
 from quasidynamic.solve.balls.elastic_load_distribution import ElasticBallLoads
 from quasidynamic.solve.balls.load_distribution import BallLoads
+
+if TYPE_CHECKING:
+    from fem.solid.probes import Readings
 
 FEWEST = 3  # balls of a ring; a single one has the same pitch circle
 NOTABLE = 0.01  # of the torque: change by another reading of the spin that is reported
@@ -67,8 +71,25 @@ class Solution:
     @property
     def azimuths(self) -> NDArray:
         """Places of the balls (Z) [rad]."""
-        count = len(self.balls.load)
-        return 2 * np.pi * np.arange(count) / count
+        return np.array(self.case.azimuths)
+
+    @cached_property
+    def probes(self) -> "Readings | str | None":
+        """What probes read of elastic rings, or why they read nothing; None without any."""
+        if self.case.outputs.probes is None or not isinstance(self.distribution, ElasticBallLoads):
+            return None
+        from flexbearing.runs import groove_fields  # with finite elements
+
+        return groove_fields.readings(self.case, self.distribution)
+
+    @cached_property
+    def stresses(self) -> Stresses | None:
+        """Largest stresses of elastic rings, or why there are none; None where the case requires none."""
+        if not self.case.outputs.stresses or not isinstance(self.distribution, ElasticBallLoads):
+            return None
+        from flexbearing.runs import groove_fields  # with finite elements
+
+        return groove_fields.stresses(self.case, self.distribution)
 
     @property
     def ball_motion(self) -> NDArray:
@@ -119,6 +140,11 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
     """The bearing of a case; raises `BadCase` when one of its rings cannot be."""
     parts, materials = case.bearing, case.materials
     grooves.parts(case)
+    if case.outputs.probes:
+        from flexbearing.build import groove_parts
+        from flexbearing.build.probes import require_probes
+
+        require_probes(case, groove_parts.groove_part, groove_parts.why_no_solid)
     angle, free_way = _mounted(case)
     return qd.FourPointBallBearing(
         bearing=qd.FourPointBearing(
@@ -131,6 +157,7 @@ def bearing(case: FourPointCase) -> qd.FourPointBallBearing:
             clearance=free_way,
             groove_ends=(_groove_end(case, "inner"), _groove_end(case, "outer")),
             outer_arches=parts.outer_arches,
+            first_ball_azimuth=parts.first_ball_azimuth,
         ),
         friction=_friction(case),
         hysteresis_loss=case.friction.hysteresis_loss,
@@ -237,7 +264,10 @@ def blocks(
         if key not in shared.rings:
             shared.rings[key] = elastic_rings(case, report)
         report.stage("slow balls between elastic rings", None)
-        yield "flexible", solved(case, shared.rings[key], progress)
+        flexible = solved(case, shared.rings[key], progress)
+        if case.outputs.probes or case.outputs.stresses:
+            report.stage(probes.STAGE, None)
+        yield "flexible", flexible
 
 
 def elastic_rings(case: FourPointCase, report: Report) -> ElasticGrooves | None:
@@ -245,8 +275,7 @@ def elastic_rings(case: FourPointCase, report: Report) -> ElasticGrooves | None:
 
     Raises `NotSolved` where they are not found.
     """
-    azimuths = 2 * np.pi * np.arange(case.balls) / case.balls
-    return grooves.elastic_grooves(case, azimuths, report)
+    return grooves.elastic_grooves(case, np.array(case.azimuths), report)
 
 
 def _rolled(
@@ -277,6 +306,7 @@ def block(solution: Solution, names: Collection[str] | None = None) -> dict[str,
         "balls": lambda: solution.balls,
         "ring": lambda: solution.distribution,
         "life": lambda: solution.lives,
+        "probes": lambda: None if isinstance(solution.probes, str) else solution.probes,
         "rolling": lambda: solution.rolling,
         "fields": lambda: _fields(solution.case, solution.balls),
     }
@@ -344,6 +374,7 @@ def judge(solution: Solution, *, in_row: bool = False) -> tuple[Judged, ...]:
     }
     if solution.distribution is not None:
         values["least_stiffness"] = judged.least_stiffness(solution.distribution.stiffness[None, 1:3, 1:3])
+    values |= probes.values(solution.case, solution.stresses)
     return evaluate(declared.OF_SLOW_BALLS, values)
 
 
@@ -363,7 +394,7 @@ def notes(solution: Solution, found: Iterable[Judged], *, in_row: bool = False) 
         contacts = balls.contacts.angle, balls.load, balls.ellipse.across
         lines += elastic_grooves.notes(case, *(np.moveaxis(each, -1, 0) for each in contacts))
     lines += _on_shoulders(case, balls) + shoulders.unrolled(solution.unrolled)
-    lines += subsurface.notes(case, solution.worst)
+    lines += subsurface.notes(case, solution.worst) + probes.notes(solution.probes, solution.stresses)
     idle = int((~balls.driven).sum())
     if idle:
         words = f"{idle} of {len(balls.load)} balls are not pressed on both rings: they make no torque"

@@ -18,9 +18,9 @@ from fem.parts.surroundings import Surroundings
 from flexbearing.program.threads import linear_algebra_alone
 
 if TYPE_CHECKING:
+    from fem.parts.part import Part
     from fem.parts.probe import Probe
     from fem.parts.resolution import Shape
-    from fem.parts.rings import Part
     from fem.parts.step_solid import StepSolid
     from fem.solid.extremes import BodyExtremes, Sampled
     from fem.solid.factored_solid import FactoredSolid

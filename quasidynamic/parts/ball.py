@@ -96,6 +96,7 @@ class FourPointBearing:
     clearance: float = 0.0  # [m] of a ball along a diagonal, both contacts together; negative: interference
     groove_ends: tuple[float, float] = (np.inf, np.inf)  # [rad] contact angles of the inner, outer shoulders
     outer_arches: Literal[1, 2] = 2  # of the outer groove; one arc between the halves of a split inner ring
+    first_ball_azimuth: float = 0.0  # [rad] from z towards y
 
     def __post_init__(self):
         require_positive("bearing.pitch_diameter", self.pitch_diameter)
@@ -153,7 +154,7 @@ class FourPointBearing:
     @cached_property
     def azimuths(self) -> NDArray:
         """Ball azimuths from z towards y (Z) [rad]."""
-        return 2 * np.pi * np.arange(self.balls) / self.balls
+        return self.first_ball_azimuth + 2 * np.pi * np.arange(self.balls) / self.balls
 
 
 @dataclass(frozen=True, kw_only=True)

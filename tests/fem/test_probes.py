@@ -21,12 +21,14 @@ from fem import (
     SquirrelCage,
     Stations,
 )
+from fem.mesh.notches import Notches
 from fem.parts.bar_section import bar_section
+from fem.parts.bolted_ring import BoltedRing
 from fem.parts.groove import BallPatches, Groove
-from fem.parts.probe import Probe, radius
+from fem.parts.probe import Probe, radius, walls
 from fem.parts.surroundings import Surroundings
 from fem.section.loaded_section import loaded_section
-from fem.solid.clearing import GrooveArc, clearing
+from fem.solid.clearing import Clearing, GrooveArc, clearing
 from fem.solid.extremes import extremes, von_mises
 from fem.solid.lattice import hooke, hooke_reversed
 from fem.solid.probes import readings
@@ -101,12 +103,33 @@ GROOVED = OuterRing(
 )  # fmt: skip
 
 
-def pinched(ring=GROOVED, turned=0.0, finer=1):
-    """A ring that two balls press apart, at stations of its groove; on elements so much smaller."""
-    stations = Stations(angles=(-0.5, 0.0, 0.5), width=0.15e-3)
-    loads = BallPatches(azimuths=(turned, turned + pi), length=GROOVE.width(LAND, 1), stations=stations)
+def bolted(race):
+    """A ring of the same section with two arcs, on a bolted face that is hardly held."""
+    outward = {"outer": 1, "inner": -1}[race]
+    return BoltedRing(
+        race=race, groove=Groove(radius=0.6e-3, centre_radius=LAND - 0.4e-3 * outward, aside=0.05e-3),
+        raceway_diameter=2 * LAND, far_diameter=2 * LAND + 4e-3 * outward, width=2e-3, face_distance=1e-3,
+        face_side=1, elastic=STEEL, normal_stiffness=1e5, shear_stiffness=1e5,
+    )  # fmt: skip
+
+
+FOUR_POINT, FOUR_POINT_INNER = bolted("outer"), bolted("inner")
+ON_ARCS = (0.35, 0.46, 0.57)  # [rad] stations of each arc
+
+
+def pinched(ring=GROOVED, turned=0.0, finer=1, forces=None, width=0.15e-3):
+    """A ring that two balls press apart, at stations of its groove; on elements so much smaller.
+
+    On two arcs they press the middle of both, with the same force outward.
+    """
+    middle = PULL * np.array([0.0, 1.0, 0.0])
+    if two := len(ring.groove.sides) > 1:
+        middle = np.tile(middle, 2) / (2 * cos(ON_ARCS[1]))
+    stations = Stations(angles=ON_ARCS if two else (-0.5, 0.0, 0.5), width=width)
+    across = ring.groove.width(LAND, ring.outward)
+    loads = BallPatches(azimuths=(turned, turned + pi), length=across, stations=stations)
     size = MeshSize(order=3 + finer, size=1e-3 / finer, raceway_size=0.4e-3 / finer)
-    return loaded_section(ring, loads, PULL * np.array([[0.0, 1.0, 0.0]] * 2), size)
+    return loaded_section(ring, loads, np.array([middle] * 2) if forces is None else forces, size)
 
 
 @pytest.fixture(scope="module")
@@ -114,11 +137,12 @@ def pinched_ring():
     return pinched()
 
 
-def grooved_strain(degrees, r):
+def grooved_strain(degrees, r, ring=GROOVED):
     """Of the section with its groove, as above: its area, middle and neutral line by sums over its height."""
-    height = np.linspace(LAND, LAND + GROOVED.thickness, 20001)
-    below = np.maximum(GROOVE.radius**2 - (height - GROOVE.centre_radius) ** 2, 0.0)
-    wide = GROOVED.width - 2 * np.sqrt(below) * (height < GROOVE.bottom(1))
+    (wall,), groove = walls(ring), ring.groove
+    height = np.linspace(*wall[2:], 20001)
+    below = np.maximum(groove.radius**2 - (height - groove.centre_radius) ** 2, 0.0)
+    wide = ring.width - 2 * np.maximum(np.sqrt(below) - groove.aside, 0.0)
     area, moment, curved = (np.trapezoid(wide * f, height) for f in (1.0, height, 1 / height))
     middle, neutral = moment / area, area / curved
     s = abs(sin(radians(degrees)))
@@ -126,16 +150,21 @@ def grooved_strain(degrees, r):
     return (PULL * s / 2 / area + bending) / STEEL.youngs_modulus
 
 
-def test_hoop_strain_of_a_grooved_ring_between_two_balls_is_that_of_a_curved_bar(pinched_ring):
-    """Outside, at the bottom of the groove, on a shoulder: the innermost surface follows the groove."""
+@pytest.mark.parametrize(
+    "ring", [GROOVED, FOUR_POINT, FOUR_POINT_INNER], ids=["one arc", "two arcs", "two arcs, inner"]
+)
+def test_hoop_strain_of_a_grooved_ring_between_two_balls_is_that_of_a_curved_bar(ring, pinched_ring):
+    """Opposite the groove, at its bottom, on a shoulder: the surface follows the groove."""
+    loaded = pinched_ring if ring is GROOVED else pinched(ring)
+    (wall,), outer = walls(ring), ring.outward > 0
     faces = [
-        (POINT, LAND + GROOVED.thickness),
-        (replace(POINT, outside=False), GROOVE.bottom(1)),
-        (replace(POINT, outside=False, x=0.7e-3), LAND),
+        (replace(POINT, outside=outer), wall[3 if outer else 2]),
+        (replace(POINT, outside=not outer), ring.groove.bottom(ring.outward)),
+        (replace(POINT, outside=not outer, x=0.7e-3), LAND),
     ]
     for degrees in (20.0, 90.0, 155.0, 300.0):
-        found = read(pinched_ring, GROOVED, *(replace(p, azimuth=radians(degrees)) for p, _ in faces))
-        expected = [grooved_strain(degrees, r) for _, r in faces]
+        found = read(loaded, ring, *(replace(p, azimuth=radians(degrees)) for p, _ in faces))
+        expected = [grooved_strain(degrees, r, ring) for _, r in faces]
         assert found.hoop_strain == approx(expected, rel=0.01), degrees
 
 
@@ -146,10 +175,47 @@ def test_places_count_beyond_the_reach_of_the_arc_that_a_ball_presses(pinched_ri
     assert clear(places).tolist() == [False, True, True]
     for outward in (1, -1):
         arc = GrooveArc(GROOVE, outward, (-0.3, 0.6))
-        towards = np.array([[sin(a), 0.0, outward * cos(a)] for a in (0.2, 1.0)])
+        towards = outward * np.array([[sin(a), 0.0, cos(a)] for a in (0.2, 1.0)])
         centre = np.array([0.0, 0.0, GROOVE.centre_radius])
-        on_arc = centre + GROOVE.radius * np.array([[sin(a), 0.0, outward * cos(a)] for a in (0.2, 0.6)])
+        on_arc = centre + outward * GROOVE.radius * np.array([[sin(a), 0.0, cos(a)] for a in (0.2, 0.6)])
         assert arc.nearest(centre + 2 * GROOVE.radius * towards, 0.0) == approx(on_arc, rel=1e-12)
+
+
+def test_contacts_that_no_place_is_near_to_are_left_out_rightly():
+    """Places of a sector, also across +-180 degrees and all around, against the distance from every arc."""
+    random = np.random.default_rng(1)
+    loaded = [(GrooveArc(GROOVE, 1, (-0.3, 0.6)), phi) for phi in random.uniform(-7.0, 7.0, 12)]
+    for begin, sector, reach in ((3.0, 0.4, 2e-3), (-1.0, 6.3, 2e-3), (0.0, 0.4, 50e-3)):
+        clear = Clearing(
+            part=GROOVED, sharp=Notches(np.zeros((0, 2, 2)), 0.0), loaded=loaded, reach=reach, tips=None
+        )
+        azimuth, radius = begin + random.uniform(0.0, sector, 400), random.uniform(36e-3, 40e-3, 400)
+        places = np.stack([0 * radius, radius * np.sin(azimuth), radius * np.cos(azimuth)], axis=1)
+        far = [np.linalg.norm(places - arc.nearest(places, phi), axis=1) > reach for arc, phi in loaded]
+        assert (clear(places) == np.all(far, axis=0)).all()
+
+
+ON_SHAFT = RingOnShaft(
+    raceway_diameter=2 * LAND, track_width=2e-3, rib_diameter=None, bore=2 * LAND - 4e-3, width=2e-3,
+    shaft_bore=2 * LAND - 8e-3, shaft_length=4e-3, ring=STEEL, shaft=STEEL,
+    groove=Groove(radius=0.6e-3, centre_radius=LAND + 0.4e-3),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("ring", [ON_SHAFT, FOUR_POINT, FOUR_POINT_INNER], ids=["on shaft", "outer", "inner"])
+def test_arc_that_a_ball_presses_is_where_it_is_stressed(ring, side):
+    """Its mirror image counts: of an inner race the arc towards +x is pressed to -x."""
+    if two := len(ring.groove.sides) > 1:
+        ring = replace(ring, normal_stiffness=1e15, shear_stiffness=1e15)
+    forces = np.zeros((2, 6 if two else 3))
+    forces[:, (1 if side > 0 else 4) if two else 1 + side] = PULL * ring.outward
+    loaded = pinched(ring, forces=forces, width=0.1e-3)
+    samples = loaded.samples("ring", 0, 4)
+    place = samples.place[von_mises(samples.stress).argmax()]
+    clear = clearing(ring, loaded.patches, loaded.forces, loaded.radius)
+    assert np.sign(place[0]) == side * ring.outward
+    assert clear(np.stack([place, place * [-1, 1, 1]])).tolist() == [False, True]
 
 
 @pytest.mark.slow
@@ -208,6 +274,19 @@ def test_hoop_strain_under_inner_pressure_is_that_of_lame(outside):
     assert found.hoop_strain == approx(lame(outside, pressure), rel=2e-3)
     assert found.largest_strain == approx(found.hoop_strain, rel=1e-6)
     assert found.strain_error == approx(0, abs=1e-2 * lame(outside, pressure))
+
+
+@pytest.mark.parametrize("race", ["outer", "inner"])
+def test_mean_hoop_strain_of_a_bolted_ring_under_balls_is_that_of_lame(race):
+    """Of a ring without its shallow groove under pressure there, at the surface opposite."""
+    ring = bolted(race)
+    wall = LAND, LAND + 10e-3 * ring.outward
+    ring = replace(ring, far_diameter=2 * wall[1], width=4e-3, face_distance=2e-3)
+    loaded = pinched(ring)
+    at = replace(POINT, outside=ring.outward > 0, length=2 * pi * wall[1])
+    a, b = wall
+    expected = 2 * (2 * PULL / (2 * pi * 4e-3)) * a / abs(b**2 - a**2) / STEEL.youngs_modulus
+    assert read(loaded, ring, at).hoop_strain == approx(expected, rel=0.01)
 
 
 @pytest.fixture(scope="module")

@@ -120,7 +120,8 @@ def _fit(condense):
 
 
 def _four_point(case):
-    return _elastic_grooves(case) | {"model": four_point.bearing(case), "load": _given_load(case)}
+    found = {"model": four_point.bearing(case), "load": _given_load(case), "probes": _probes(case)}
+    return _elastic_grooves(case) | found
 
 
 def _tapered(case):

@@ -229,6 +229,7 @@ CONTEXTS = {  # file and settings in which a key belongs to the case
     "balls in bolted rings": ("slewing_bolted", {
         "rings.outer.face_stiffness": "500 N/mm^3", "rings.outer.face_shear_stiffness": "200 N/mm^3",
         "rings.inner.face_stiffness": "400 N/mm^3", "rings.inner.face_shear_stiffness": "150 N/mm^3"}),
+    "bolted, probed": ("slewing_bolted", {"outputs.probes.azimuths": ["0 deg", "90 deg"]}),
     "groove radii": ("slewing_bolted", {
         "bearing.inner": {"radius": "18.4 mm"}, "bearing.outer": {"radius": "18.5 mm"}}),
     "ball materials": ("slewing_bolted", {

@@ -32,7 +32,7 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
     "four_point_ball": {
         "max_contact_loads_N", "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg",
         "ball_speed_ratios", "ball_attitudes_deg", "ball_torques_Nm", "stiffness_matrix_SI",
-        "arc_lives_Mrev",
+        "arc_lives_Mrev", *PROBES,
     },
     "angular_contact_ball": {
         "contact_loads_N", "ball_azimuths_deg", "contact_angles_deg", "stiffness_matrix_SI", "first_lines",

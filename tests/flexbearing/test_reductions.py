@@ -10,7 +10,7 @@ from flexbearing.quantities.reductions import across, along, loaded_arc, loaded_
 from flexbearing.quantities.roller import LAYOUT
 
 CASES = 5
-SIZES = {"Z": 9, "K": 6, "B": 7, "P": 3, "G": 5, "N": 20, "X": 5, "Y": 8, "S1": 4, "S2": 3} | {
+SIZES = {"Z": 9, "K": 6, "B": 7, "P": 3, "J": 5, "N": 20, "X": 5, "Y": 8, "S1": 4, "S2": 3} | {
     axis: len(fixed.entries) for axis, fixed in FIXED.items()
 }
 OF_ONE_CASE = ("skew.", "life.")  # parts of the solution that are computed case by case

@@ -110,7 +110,6 @@ class FastBearing(MountedBearing):
     inner: EndingGroove = key("groove of the inner ring")
     outer: EndingGroove = key("groove of the outer ring")
     balls: int = key("number of balls", example=18, ge=3, le=1000)
-    first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
     form_error: FormErrors | None = key("form errors: raceways that are not round", None)
     roughness: BallRoughness | None = key(
         "roughness of balls and raceways, for film ratios", None, only=OILED

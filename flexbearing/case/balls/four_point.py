@@ -1,6 +1,6 @@
 """A slow ball bearing of two or four contact points, as a case."""
 
-from math import acos, cos, sin, sqrt
+from math import acos, cos, pi, sin, sqrt
 from typing import TYPE_CHECKING, Literal, NamedTuple, Self
 
 from pydantic import model_validator
@@ -28,7 +28,7 @@ from flexbearing.case.balls.parts import (
 from flexbearing.case.balls.ring_room import OUTWARD, Race
 from flexbearing.case.balls.slow_life import SlowLife
 from flexbearing.case.head import KIND
-from flexbearing.case.outputs import ContactOutputs
+from flexbearing.case.outputs import BoltedOutputs
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -282,7 +282,7 @@ class FourPointCase(MountedCase):
     life: SlowLife = key("what the life is rated with, and what modifies it", {})
     rings: bolted_rings.Rings = key("elastic rings; rigid without it", {})
     fields: Fields = key("contacts whose pressure, slip and shear are stored cell by cell", {})
-    outputs: ContactOutputs = key("further results to compute", {})
+    outputs: BoltedOutputs = key("further results to compute", {})
 
     @model_validator(mode="after")
     def _fits_are_those_of_rigid_rings(self) -> Self:
@@ -307,6 +307,12 @@ class FourPointCase(MountedCase):
     def balls(self) -> int:
         """Balls that are computed."""
         return self.bearing.balls or 1
+
+    @property
+    def azimuths(self) -> tuple[float, ...]:
+        """Of these balls, from z towards y [rad]."""
+        first = self.bearing.first_ball_azimuth
+        return tuple(first + 2 * pi * ball / self.balls for ball in range(self.balls))
 
     @model_validator(mode="after")
     def _balls_are_known(self) -> Self:

@@ -14,7 +14,7 @@ from flexbearing.case.mounted import (
     housing_material,
     shaft_material,
 )
-from flexbearing.case.quantity import Pressure, Section, Temperature, impossible, key
+from flexbearing.case.quantity import Angle, Pressure, Section, Temperature, impossible, key
 
 
 class SeatMaterial(WarmMaterial):
@@ -23,10 +23,14 @@ class SeatMaterial(WarmMaterial):
     yield_stress: Pressure | None = yield_stress()
 
 
-class RingElastic(GrowingElastic):
-    """A material of a ring, which fits and heat may widen."""
+class StressedElastic(Elastic):
+    """A material of a ring whose stresses may be known."""
 
     yield_stress: Pressure | None = yield_stress()
+
+
+class RingElastic(StressedElastic, GrowingElastic):
+    """A material of a ring, which fits and heat may widen, too."""
 
 
 class BallTemperatures(PartTemperatures):
@@ -37,6 +41,8 @@ class BallTemperatures(PartTemperatures):
 
 class MountedBearing(FittedBearing, BallBearing):
     """A ball bearing that may sit on a shaft and in a housing."""
+
+    first_ball_azimuth: Angle = key("azimuth of a ball, from z towards y", "0 deg")
 
     @property
     def centre_distance(self) -> float:
@@ -67,8 +73,8 @@ class MountedMaterials(Section):
     """Materials of a bearing that may be mounted."""
 
     ball: Elastic = key("of the balls")
-    inner_ring: Elastic | None = key(f"of the inner ring; {AS_BALLS}", None)
-    outer_ring: Elastic | None = key(f"of the outer ring; {AS_BALLS}", None)
+    inner_ring: StressedElastic | None = key(f"of the inner ring; {AS_BALLS}", None)
+    outer_ring: StressedElastic | None = key(f"of the outer ring; {AS_BALLS}", None)
     shaft: Elastic | None = key("of the shaft; needed for [bearing.fits]", None, only=FITTED)
     housing: Elastic | None = key("of the housing; needed for [bearing.fits.housing]", None, only=HOUSED)
 

@@ -61,9 +61,7 @@ def balls(words: Words) -> Drawing:
     pitch, size = bearing.pitch_diameter / 2, bearing.ball.diameter
     for radius, style in _contours_of_balls(case, pitch, size):
         sheet.circle(radius, **style)
-    azimuths = (
-        getattr(bearing, "first_ball_azimuth", 0.0) + 2 * np.pi * np.arange(bearing.balls) / bearing.balls
-    )
+    azimuths = bearing.first_ball_azimuth + 2 * np.pi * np.arange(bearing.balls) / bearing.balls
     _elements(sheet, pitch, size / 2, azimuths)
     sheet.circle(pitch, ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
     sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
