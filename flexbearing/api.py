@@ -140,7 +140,9 @@ def against_catalogue(case: str | Path, overrides: Overrides = ()) -> dict[str, 
     wanted = check(case, given)
     catalogue = FAMILIES[wanted.kind].catalogue
     if catalogue is None:
-        raise BadCase(f'{case}: kind = "{wanted.kind}" has no ratings in ISO 281, so no life is compared.')
+        raise BadCase(
+            f'{case}: kind = "{wanted.kind}" has no radial ratings in ISO 281, so no life is compared.'
+        )
     solved = partial(compute, others="left out")
     return compared(wanted, catalogue(), lambda further: read_case(case, [*given, *further]), solved)
 

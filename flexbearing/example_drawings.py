@@ -46,6 +46,7 @@ EXAMPLES = (
             ("bearing.cage.pocket_clearance=0.1 mm",), page="roller-bearing"),
     Example("tapered-bearing", "Tapered roller bearing, rib of its inner ring", "32207.toml", "section",
             page="tapered-bearing"),
+    Example("thrust-bearing", "Roller thrust bearing", "81110.toml", "section", page="tapered-bearing"),
     Example("squirrel-cage", "Squirrel cage, and ring on a hollow shaft", "mao2016.toml", "section",
             page="rings"),
     Example("squirrel-cage-bars", "Bars of the squirrel cage", "mao2016.toml", "bars", page="rings"),

@@ -69,5 +69,15 @@ _TAPERED = Family(
     profiles=Entry("flexbearing.build.profiles:drawn"),
     catalogue=Entry("flexbearing.life.tapered_influences:CATALOGUE"),
 )
+_THRUST = replace(  # inclined rollers of 90 degrees; the catalogue's comparison is that of radial ratings
+    _TAPERED,
+    kind="thrust_roller",
+    case=Entry("flexbearing.case.tapered.thrust_case:ThrustCase"),
+    layout=Entry("flexbearing.quantities.thrust_roller:LAYOUT"),
+    report=Entry("flexbearing.report.family_report:THRUST"),
+    catalogue=None,
+)
 
-FAMILIES = {family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE, _TAPERED)}
+FAMILIES = {
+    family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE, _TAPERED, _THRUST)
+}

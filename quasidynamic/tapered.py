@@ -62,11 +62,6 @@ class TaperedLoads:
         """Turn of the rollers (Z) [rad], > 0 lifts the large end."""
         return self.solution.state.rollers[:, 2] / (self.slices.length / 2)
 
-    @property
-    def roller_place(self) -> NDArray:
-        """Displacement of the roller centres (Z, 2) [m] towards the rib and outwards."""
-        return self.solution.state.rollers[:, :2]
-
     @cached_property
     def _scale(self) -> NDArray:
         turn = self.bearing.pitch_diameter / 2
@@ -205,7 +200,8 @@ def tapered_loads(
     speeds = tapered_speeds(bearing, operation.inner_speed, operation.outer_speed)
     sliced = Slices(slices, bearing.roller.length)
     _require_thrust(bearing, operation, speeds.centrifugal_force)
-    dead = np.array([0.0, speeds.centrifugal_force, speeds.gyroscopic_moment / (sliced.length / 2)])
+    _require_footing(bearing, operation)
+    dead = np.array([*_inertia(bearing, speeds), speeds.gyroscopic_moment / (sliced.length / 2)])
     model = InclinedRollers.of(bearing, sliced, dead)
     turn = bearing.pitch_diameter / 2
     load = np.array(operation.load) / [1.0, 1.0, 1.0, turn, turn]
@@ -220,6 +216,12 @@ def tapered_loads(
 
 def _model(loads: TaperedLoads) -> InclinedRollers:
     return InclinedRollers.of(loads.bearing, loads.slices, np.zeros(3))
+
+
+def _inertia(bearing: TaperedRollerBearing, speeds: TaperedSpeeds) -> NDArray:
+    """Centrifugal force along the axis and outwards (2) [N]; without a rib what raceways carry of it."""
+    force, normal = speeds.centrifugal_force, np.array([-bearing.up, bearing.along])
+    return np.array([0.0, force]) if bearing.rib.stiffness else force * bearing.along * normal
 
 
 def least_thrust(bearing: TaperedRollerBearing, radial: float, centrifugal: float) -> float:
@@ -269,6 +271,21 @@ def _require_thrust(bearing: TaperedRollerBearing, operation: RingOperation, cen
             f"axial load of {bearing.side * axial:.4g} N towards the cup: above {least:.4g} N are needed, "
             "for the radial load and the centrifugal force of the rollers, or the cone leaves the cup; "
             "give a larger operation.load.axial, or hold the ring by operation.displacement.axial",
+            "undetermined",
+        )
+
+
+def _require_footing(bearing: TaperedRollerBearing, operation: RingOperation) -> None:
+    """Raise where a load on rollers between washers acts beyond their outer ends, and may tilt the ring."""
+    axial, *_, about_y, about_z = operation.load
+    free = [place is None for place in operation.displacement]
+    lever = (bearing.pitch_diameter + bearing.roller.length) / 2
+    if bearing.cone_angle < np.pi / 2 or not (free[0] and free[3] and free[4]):
+        return
+    if (turning := float(np.hypot(about_y, about_z))) >= abs(axial) * lever:
+        raise NotSolved(
+            f"a moment of {turning:.4g} N m on {abs(axial):.4g} N tips the ring over the outer ends of the "
+            f"rollers, {1e3 * lever:.4g} mm off the axis; make it smaller, or hold operation.tilt",
             "undetermined",
         )
 

@@ -145,6 +145,8 @@ VARIANTS: dict[str, tuple[str, tuple[str, ...]]] = {
         "accuracy.patch_width=2 mm", "outputs.stresses=true")),
     "tapered in oil": ("32207", ("outputs.friction=true", "lubricant.oil=ISO VG 100",
         "lubricant.inlet_temperature=60 degC", "lubricant.oil_fraction=0.05")),
+    "washers in oil": ("81110", ("outputs.friction=true", "lubricant.oil=ISO VG 100",
+        "lubricant.inlet_temperature=60 degC", "lubricant.oil_fraction=0.05")),
     "angular held": ("rivera2021_7008", ("operation.load=", "operation.displacement.axial=20 um")),
 }  # fmt: skip
 

@@ -65,7 +65,9 @@ def _losses(block: Any, lost: float) -> Iterator[str]:
 
 def _balance(result: Any, block: Any, lost: float) -> Iterator[str]:
     """Every balance of rollers, ring and cage closes; balls and cones carry what the ring bears."""
-    if "rib_load" in block:
+    if "inner_load" in block and _case(result)["kind"] == "thrust_roller":
+        yield from _between_washers(result, block, lost)
+    elif "inner_load" in block and _case(result)["kind"] == "tapered_roller":
         yield from _inclined(result, block, lost)
     elif "inner_load" in block and "roller_azimuth" in block:
         wrong = largest_imbalance(block, _case(result)["bearing"]["cage"]["guidance"])
@@ -86,9 +88,12 @@ SIDES = {"back_to_back": (1, -1), "face_to_face": (-1, 1), "tandem": (1, 1)}  # 
 
 def _inclined(result: Any, block: Any, lost: float) -> Iterator[str]:
     """Tapered rollers are in balance along and across the axis, and carry what the ring is loaded with."""
-    inner, outer, rib = block["inner_load"], block["outer_load"], block["rib_load"]
+    inner, outer = block["inner_load"], block["outer_load"]
     bearing, azimuth = _case(result)["bearing"], block["roller_azimuth"]
-    cone, cup, against = float(block["cone_angle"]), bearing["cup_angle"], bearing["rib"]["angle"]
+    cone, cup = float(block["cone_angle"]), bearing["cup_angle"]
+    rib, against = block["centrifugal_force"] * np.sin(cup), cup  # along the axes of cylinders without a rib
+    if bearing["rib"]:
+        rib, against = block["rib_load"], bearing["rib"]["angle"]
     out = inner * np.cos(cone) - rib * np.sin(against)
     sides = np.ones(len(outer))
     if "roller_row" in block:
@@ -105,6 +110,15 @@ def _inclined(result: Any, block: Any, lost: float) -> Iterator[str]:
     for name, forces in left.items():
         if np.abs(forces).max() > lost * size:
             yield f"forces {name} leave {np.abs(forces).max():.3g} N of {size:.6g} N"
+    yield from _loaded_as_given(result, block, lost * size)
+
+
+def _between_washers(result: Any, block: Any, lost: float) -> Iterator[str]:
+    """Both washers have the same loads and what the ring is loaded with."""
+    inner, outer = block["inner_load"], block["outer_load"]
+    size = max(outer.max(), 1e-12)
+    if np.abs(inner - outer).max() > lost * size or abs(inner.sum() - block["ring_load"][0]) > lost * size:
+        yield f"washers carry {inner.sum():.6g} and {outer.sum():.6g} N, or rollers unlike loads"
     yield from _loaded_as_given(result, block, lost * size)
 
 

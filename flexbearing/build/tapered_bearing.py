@@ -9,7 +9,7 @@ from flexbearing.case.balls.pair import Pair
 from flexbearing.case.tapered import TaperedCase
 from quasidynamic.parts.angular_contact_bearing import RowPlace
 from quasidynamic.parts.roller_bearing import FREE_POCKETS
-from quasidynamic.parts.tapered_bearing import spherical_rib
+from quasidynamic.parts.tapered_bearing import spherical_rib, without_rib
 
 
 def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
@@ -29,7 +29,9 @@ def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
         cup_angle=own.cup_angle,
         cone_angle=cone,
         roller=roller,
-        rib=spherical_rib(roller, axis, own.rib.angle, own.rib.end_radius, ring),
+        rib=without_rib(axis)
+        if own.rib is None
+        else spherical_rib(roller, axis, own.rib.angle, own.rib.end_radius, ring),
         inner_ring=ring,
         outer_ring=profiles.elastic(case.materials.outer_ring),
         contact_law=own.contact_law,
@@ -46,6 +48,11 @@ def cage(case: TaperedCase) -> qd.Cage:
     """Cage of every row; one that the rollers guide in pockets without friction where the case has none."""
     own = case.bearing.cage
     return FREE_POCKETS if own is None else guided_cage(own)
+
+
+def rib_friction(case: TaperedCase) -> float:
+    """Coulomb friction of the ends on the rib [-], 0 without one."""
+    return case.bearing.rib.friction if case.bearing.rib else 0.0
 
 
 def _rows(case: TaperedCase, pair: Pair, one: qd.TaperedRollerBearing) -> tuple[RowPlace, RowPlace]:

@@ -43,13 +43,14 @@ class Ratings(Section):
     """Ratings of a catalogue, and factors of ISO 281."""
 
     dynamic_rating: Force | None = key(
-        f"basic dynamic radial load rating C_r of a catalogue, instead of the formula of ISO 281; {FOLLOWS}",
+        f"basic dynamic load rating of a catalogue, C_r or C_a of thrust bearings, instead of the formula of "
+        f"ISO 281; {FOLLOWS}",
         None,
         example="44 kN",
         gt=0,
     )
     static_rating: Force | None = key(
-        f"basic static radial load rating C_0 of a catalogue, instead of the formula of ISO 76; {FOLLOWS}",
+        f"basic static load rating C_0 of a catalogue, instead of the formula of ISO 76; {FOLLOWS}",
         None,
         example="45 kN",
         gt=0,
@@ -141,14 +142,20 @@ class BallLife(Ratings):
     modification: Literal["bearing", "rows"] = key(OF_PARTS.format("row"), "bearing", only=BY_OIL)
 
 
-class TaperedLife(Ratings):
+class RollerLife(Ratings):
     """What the life is rated with, and what modifies it; nothing does unless it is given."""
 
     loads: Literal["rollers", "rating"] = key(
         "rollers: life under the loads of all slices, by ISO/TS 16281; rating: as a catalogue has it, from "
-        "C_r and the equivalent load P of the radial and the axial load, (C_r/P)^(10/3) of ISO 281",
+        "C_r and the equivalent load P of the radial and the axial load, (C_r/P)^(10/3) of ISO 281; of "
+        "thrust bearings from C_a and the axial load",
         "rollers",
     )
+
+
+class TaperedLife(RollerLife):
+    """What the life is rated with, and what modifies it; nothing does unless it is given."""
+
     modification: Literal["bearing", "slices"] = key(OF_PARTS.format("slice"), "slices", only=BY_OIL)
 
 

@@ -37,7 +37,11 @@ ENTRIES = {
         "--outer-raceway", "diameter of the outer raceway", "-E", "Length", example="81.5 mm"
     ),
     "pitch_diameter": Entry(
-        "--pitch-diameter", "diameter of the circle of tapered rollers", "--Dpw", "Length", example="53.5 mm"
+        "--pitch-diameter",
+        "diameter of the circle of inclined rollers",
+        "--Dpw",
+        "Length",
+        example="53.5 mm",
     ),
     "angle": Entry(
         "--contact-angle", "nominal contact angle, of a cup by tan = e/1.5", "", "Angle", example="40 deg"
@@ -118,14 +122,16 @@ _ROLLERS = (
 _ROLLING = ("elements", "diameter", "length", "material")
 _MOUNTED = ("clearance_class", "shaft", "housing")
 _BALLS = (*_RATINGS, "elements", "diameter", "material", "balls")
+_CYLINDERS = Like(
+    "cylindrical_roller",
+    (*_SIZE, "load", "speed"),
+    _RACEWAYS,
+    (*_ROLLERS, "housing", "outer_speed"),
+    _MOUNTED,
+)
 LIKES = {
-    "cylindrical_roller": Like(
-        "cylindrical_roller",
-        (*_SIZE, "load", "speed"),
-        _RACEWAYS,
-        (*_ROLLERS, "housing", "outer_speed"),
-        _MOUNTED,
-    ),
+    "cylindrical_roller": _CYLINDERS,
+    "needle_roller": _CYLINDERS,  # with machined rings, which ISO 281 rates alike
     "squirrel_cage": Like("cylindrical_roller", (*_SIZE, "load", "speed"), _RACEWAYS, _ROLLERS, _MOUNTED),
     "deep_groove_ball": Like(
         "deep_groove_ball",
@@ -145,6 +151,12 @@ LIKES = {
         (*_SIZE, "angle", "axial", "speed"),
         (),
         (*_RATINGS, "pitch_diameter", *_ROLLING, *_OIL, "shaft", "housing", "load", "outer_speed"),
+    ),
+    "thrust_roller": Like(
+        "thrust_roller",
+        (*_SIZE, "axial", "speed"),
+        (),
+        (*_RATINGS, "pitch_diameter", *_ROLLING, *_OIL, "outer_speed"),
     ),
     "four_point_ball": Like(  # there are no load ratings of two contacts on a ring
         "four_point_ball",

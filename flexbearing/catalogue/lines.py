@@ -13,7 +13,7 @@ WIDTH = 110  # characters of a line
 COLUMN = 40  # where short comments begin
 THUMB = "rule of thumb"
 RATED = "C_0 of the maker by ISO 76"
-WITHOUT_CLEARANCE = "angular_contact_ball", "tapered_roller"  # which have a contact angle instead
+WITHOUT_CLEARANCE = "angular_contact_ball", "tapered_roller", "thrust_roller"  # that has a contact angle
 CHOSEN = "chosen, no catalogue has it"  # load, speed, fits, oil
 
 

@@ -18,9 +18,12 @@ from flexbearing.printable import excerpt
 # Assumed: Harris' 209 and an NU 210 have rollers of 0.55 (D - d)/2 and pitch diameters of 1.007 (d + D)/2, an
 # NU 308 and an NUP 204 0.56 and 1.015.
 ROLLER, PITCH = 0.555, 1.01
+NEEDLE = 0.4  # with which both ratings of NA 4905 to NA 4916 of SKF are met; assumed
 
 
-def raceways(of: Sequence[str], given: Mapping[str, float]) -> Iterator[tuple[str, tuple[str, str]]]:
+def raceways(
+    of: Sequence[str], given: Mapping[str, float], roller: float = ROLLER
+) -> Iterator[tuple[str, tuple[str, str]]]:
     """Estimate raceways and rollers that are needed besides those given [m], each with its reason.
 
     Any two of the inner raceway, the outer raceway and the diameter of the rollers give the third.
@@ -28,9 +31,9 @@ def raceways(of: Sequence[str], given: Mapping[str, float]) -> Iterator[tuple[st
     if not of:
         return
     known = [name for name in of if name in given]
-    diameter = given.get("diameter", ROLLER * (given["outside"] - given["bore"]) / 2)
+    diameter = given.get("diameter", roller * (given["outside"] - given["bore"]) / 2)
     if "diameter" not in given and len(known) < 2:  # of three
-        yield "diameter", (f"{1e3 * diameter:.4g} mm", f"rule of thumb, {ROLLER:g} (D - d)/2")
+        yield "diameter", (f"{1e3 * diameter:.4g} mm", f"rule of thumb, {roller:g} (D - d)/2")
     if not {"inner_raceway", "outer_raceway"} & {*given}:
         raceway = PITCH * (given["outside"] + given["bore"]) / 2 + diameter
         yield "outer_raceway", (f"{1e3 * raceway:.5g} mm", f"rule of thumb, {PITCH:g} (d + D)/2 + D_w")
@@ -100,7 +103,8 @@ def read(like: str, options: Mapping[str, str | None], assumed: Mapping[str, str
     problems += _together(values)
     if problems:
         raise BadCase("\n".join(problems))
-    estimates = dict(raceways(wanted.two_of, {name: each.si for name, each in values.items()}))
+    roller = NEEDLE if like == "needle_roller" else ROLLER
+    estimates = dict(raceways(wanted.two_of, {name: each.si for name, each in values.items()}, roller))
     values |= {name: value(name, text, like) for name, (text, _) in estimates.items()}
     reasons = {name: why for name, (_, why) in estimates.items()}
     return Page(like, values, {**(assumed or {}), **reasons})

@@ -46,25 +46,28 @@ def roller_set(page: Page) -> RollerSet:
     return fitting(page, pitch, diameter, partial(_ratings, outer, diameter), SPACING, SHARE)
 
 
-def fitting(  # what the kinds of rollers differ in
+def fitting(  # noqa: PLR0913  # what the kinds of rollers differ in
     page: Page,
     pitch: float,
     diameter: float,
     rated: Callable[[int, float], Ratings],
     spacing: tuple[float, float],
     share: tuple[float, float],
+    room: float | None = None,
 ) -> RollerSet:
     """Rollers of a diameter on a pitch circle [m], with a usual spacing over it and share of the width.
+
+    Of thrust bearings the `room` [m] is another one.
 
     Of the plausible pairs of number and length that have the static rating, that of most rollers is taken, as
     makers fill bearings; without a static rating the middle of both ranges.
     """
-    _require_room(page, pitch, diameter)
+    room = page["width"].si if room is None else room
+    _require_room(page, pitch, diameter, room)
     numbers = plausible_numbers(diameter / pitch, spacing)
     if "elements" in page:
         numbers = [int(page["elements"].si)]
-    width = page["width"].si
-    shortest, longest = (page["length"].si,) * 2 if "length" in page else (part * width for part in share)
+    shortest, longest = (page["length"].si,) * 2 if "length" in page else (part * room for part in share)
     if "static_rating" in page and not ("elements" in page and "length" in page):
         pairs = _of_rating(page, diameter, rated, numbers, (shortest, longest))
     else:
@@ -104,8 +107,8 @@ def _raceway_and_diameter(page: Page) -> tuple[float, float]:
     return outer, half if diameter is None else diameter
 
 
-def _require_room(page: Page, pitch: float, diameter: float) -> None:
-    """Raise unless the rollers go round the pitch circle and into the width."""
+def _require_room(page: Page, pitch: float, diameter: float, room: float) -> None:
+    """Raise unless the rollers go round the pitch circle and into their room."""
     unit = page["bore"].with_unit_of_this
     if diameter >= pitch / 2:
         raise BadCase(f"rollers of {unit(diameter)} do not fit round the circle of {unit(pitch)}.")
@@ -115,10 +118,8 @@ def _require_room(page: Page, pitch: float, diameter: float) -> None:
             f"{page.option('elements')}: 3 to {most} rollers of {unit(diameter)} fit round the circle of "
             f"{unit(pitch)}."
         )
-    if "length" in page and page["length"].si >= page["width"].si:
-        raise BadCase(
-            f"{page.option('length')}: rollers are shorter than the bearing is wide, {page['width'].text}."
-        )
+    if "length" in page and page["length"].si >= room:
+        raise BadCase(f"{page.option('length')}: rollers are shorter than the room for them, {unit(room)}.")
 
 
 def _of_rating(

@@ -1,4 +1,4 @@
-"""The lines of a case of a tapered roller bearing between rigid rings."""
+"""The lines of a case of a tapered roller bearing, or of a roller thrust bearing, between rigid rings."""
 
 from collections.abc import Iterator
 from math import asin, degrees, sin
@@ -20,7 +20,7 @@ from flexbearing.catalogue.lines import (
 )
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet
-from flexbearing.catalogue.tapered_set import DIAMETER
+from flexbearing.catalogue.tapered_set import CONES, WASHERS
 from quasidynamic.parts.tapered_bearing import apex_angles
 
 # Rules of thumb, assumed: usual are spheres of 0.9 to 0.98 of the distance to the apex, contacts at 0.6 to
@@ -32,29 +32,33 @@ def lines(page: Page, found: RollerSet) -> list[Line]:
     """Lines of a case."""
     parts = (
         _bearing(page, found),
-        _rib(page, found),
+        _rib(page, found) if "angle" in page else (),
         materials(page),
         surroundings(page),
         oil(page),
         _operation(page),
         life(page),
     )
-    return [Line("kind", "tapered_roller"), *(line for part in parts for line in part)]
+    return [Line("kind", page.like), *(line for part in parts for line in part)]
 
 
 def _bearing(page: Page, found: RollerSet) -> Iterator[Line]:
-    number, length = rollers_of(page, found, "filling the pitch circle", "0.5 to 0.8 B")
+    usual, lengths, thick = "filling the pitch circle", "0.5 to 0.8 B", f"{CONES:g} (D - d)/2"
+    if "angle" not in page:
+        usual, lengths, thick = "at a usual spacing", "0.5 to 0.8 (D - d)/2", f"{WASHERS:g} B"
+    number, length = rollers_of(page, found, usual, lengths)
     yield number
     if "pitch_diameter" in page:
         yield entry(page, "pitch_diameter", "bearing.pitch_diameter")
     else:
         yield assumed("bearing.pitch_diameter", mm(found.pitch), "(d + D)/2")
-    yield entry(page, "angle", "bearing.cup_angle", "tan = e/1.5 of the catalogue")
+    if "angle" in page:
+        yield entry(page, "angle", "bearing.cup_angle", "tan = e/1.5 of the catalogue")
     yield Line("bearing.contact_law", "iso16281", "as the life, ISO/TS 16281")
     if "diameter" in page:
         yield entry(page, "diameter", "bearing.roller.diameter")
     else:
-        yield assumed("bearing.roller.diameter", mm(found.diameter), f"{THUMB}, {DIAMETER:g} (D - d)/2")
+        yield assumed("bearing.roller.diameter", mm(found.diameter), f"{THUMB}, {thick}")
     yield length
     yield assumed("bearing.roller.profile", "iso16281", "taken by ISO/TS 16281")
     yield from mounting(page)

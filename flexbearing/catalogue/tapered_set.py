@@ -5,7 +5,7 @@ holds the diameter to a third of a power, less than makers' ratings differ from 
 """
 
 from functools import partial
-from math import cos
+from math import pi
 from typing import Any
 
 import quasidynamic as qd
@@ -13,16 +13,19 @@ from flexbearing.case import BadCase
 from flexbearing.catalogue.element_set import Ratings
 from flexbearing.catalogue.page import Page
 from flexbearing.catalogue.roller_set import RollerSet, fitting
-from flexbearing.runs.roller_counts import TAPERED_SPACING
+from flexbearing.runs.roller_counts import SPACING, TAPERED_SPACING
+from quasidynamic.outcome.capacity import fatigue_load_limit
 from quasidynamic.outcome.tapered_life import InclinedRow
+from quasidynamic.outcome.thrust_roller_capacity import ThrustRow
 
-# Rules of thumb, assumed.
-DIAMETER = 0.48  # of a roller at its middle, over (D - d)/2
-SHARE = (0.5, 0.8)  # roller length over the width of the inner ring
+SHARE = (0.5, 0.8)  # length of the rollers over the room for it; rule of thumb, assumed
+
+
+CONES, WASHERS = 0.48, 0.43  # diameter of a roller over (D - d)/2, and over B; assumed, by series 320 and 811
 
 
 def tapered_set(page: Page) -> RollerSet:
-    """Tapered rollers of a page.
+    """Tapered rollers of a page, or those between washers where it has no contact angle.
 
     Raises `BadCase` where they do not fit in, or none that is plausible has the static rating.
     """
@@ -32,14 +35,19 @@ def tapered_set(page: Page) -> RollerSet:
         pitch = page["pitch_diameter"].si
         if not bore < pitch < outside:
             raise BadCase(f"{page.option('pitch_diameter')}: it must be between bore and outside diameter.")
-    diameter = page["diameter"].si if "diameter" in page else DIAMETER * half
-    return fitting(
-        page, pitch, diameter, partial(_ratings, pitch, page["angle"].si, diameter), TAPERED_SPACING, SHARE
-    )
+    angle, width, spacing = pi / 2, page["width"].si, SPACING
+    diameter, room = WASHERS * width, half
+    if "angle" in page:
+        angle, spacing, diameter, room = page["angle"].si, TAPERED_SPACING, CONES * half, width
+    diameter = page["diameter"].si if "diameter" in page else diameter
+    rated = partial(_ratings, pitch, angle, diameter)
+    return fitting(page, pitch, diameter, rated, spacing, SHARE, room)
 
 
 def _ratings(pitch: float, angle: float, diameter: float, rollers: int, length: float) -> Ratings:
     steel: Any = qd.Material(youngs_modulus=2.1e11, poisson_ratio=0.3, density=7810.0)
-    roller = qd.Roller(diameter=diameter, length=length * cos(angle), material=steel, profile=qd.Straight())
-    row = InclinedRow(rollers, roller, pitch, angle)
-    return Ratings(row.dynamic_rating, row.static_rating, row.fatigue_load_limit(row.static_rating))
+    kind = ThrustRow if angle == pi / 2 else InclinedRow
+    length *= kind.projection(angle)
+    roller = qd.Roller(diameter=diameter, length=length, material=steel, profile=qd.Straight())
+    row = kind(rollers, roller, pitch, angle)
+    return Ratings(row.dynamic_rating, row.static_rating, fatigue_load_limit(row, row.static_rating))

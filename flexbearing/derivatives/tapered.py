@@ -16,15 +16,7 @@ from flexbearing.derivatives.sides import Differentiable, Stencil, tabled
 from flexbearing.derivatives.table import Sensitivities
 from flexbearing.outputs import RequestedOutput
 from flexbearing.progress import Logged, Report
-from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.runs import tapered
-
-OUTPUTS = Differentiable(
-    LAYOUT,
-    ("life_L10", "peak_pressure.inner", "max_rib_load", "stiffness_zz"),
-    ("imbalance",),
-    "outer.kind and inner.kind",
-)
 
 
 def sensitivities(
@@ -36,7 +28,11 @@ def sensitivities(
     `WrongUnit` for texts that name no output; `NotSolved` where there is no equilibrium.
     """
     keys = [key for path in by for key in keys_of(case, path)] or given_keys(case)
-    asked = OUTPUTS.requested(of, basic=case.life.is_basic, elastic=not case.rigid)
+    thrust = case.kind == "thrust_roller"
+    ribs, along = ("max_rib_load",) * bool(case.bearing.rib), "stiffness_xx" if thrust else "stiffness_zz"
+    main = "life_L10", "peak_pressure.inner", *ribs, along
+    known = Differentiable(tapered.LAYOUTS[case.kind], main, ("imbalance",), "outer.kind and inner.kind")
+    asked = known.requested(of, basic=case.life.is_basic, elastic=not case.rigid)
     report = report or Logged()
     state = _State(case, tapered.raceways(case, report), asked)
     found, left_out = columns(state, announced(keys, report))
@@ -69,6 +65,8 @@ class _State:
     def _moved(self, key: Key, change: float) -> "_State":
         """The state with a key changed by so many steps; raises `BadCase` where that changes a ring."""
         variant = with_value(self.case, key.path, key.value + change * key.step)
+        if variant.bearing.on_circle != self.case.bearing.on_circle:
+            raise BadCase("rollers that part are crossed no more")
         if not self.case.rigid and _rings(variant) != _rings(self.case):
             raise BadCase("it changes an elastic ring, which is meshed anew; vary it in a study")
         return _State(variant, self.raceways, self.outputs)

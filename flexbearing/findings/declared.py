@@ -98,6 +98,9 @@ OF_TAPERED = (
     MUCH_NEGLECTED,
     NEGLECTED,
 )
+OF_THRUST_ROLLERS = tuple(  # which makers give another least load; washers hold no ring along y and z
+    each for each in OF_TAPERED if each not in (LIGHT_LOAD_OF_ROLLERS, RIB_CONTACT, LEAST_STIFFNESS)
+)
 OF_SLOW_BALLS = (  # which need no load against skidding
     *(finding for finding in OF_BALLS if finding is not LIGHT_LOAD_OF_BALLS),
     GYROSCOPIC_SLIP,

@@ -18,7 +18,6 @@ from quasidynamic.outcome.life_factors import (
     reliability_factor,
 )
 
-LETTERS = {"dynamic_rating": "C_r", "static_rating": "C_0r", "fatigue_limit_load": "C_u"}
 MREV = 1e6  # revolutions
 CAPACITY, EDGE_STRESS = "capacity", "edge stress"  # factors between the basic and the reference life
 

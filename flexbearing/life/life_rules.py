@@ -33,8 +33,8 @@ def _of_capacity(life: "Life") -> Iterator[str]:
 
 def of_elements(case: "FastCase | TaperedCase") -> str:
     """Rules of a bearing with fast balls or tapered rollers."""
-    life, exponent = case.life, "(10/3)" if case.kind == "tapered_roller" else "3"
-    rated = GIVEN if life.dynamic_rating else RADIAL
+    life, exponent = case.life, "(10/3)" if case.kind.endswith("roller") else "3"
+    rated = GIVEN if life.dynamic_rating else AXIAL if case.kind == "thrust_roller" else RADIAL
     of_rating = [f"(C_r/P)^{exponent} of ISO 281:2007, {rated}"] if life.loads == "rating" else []
     further = _factors(life.lubrication, life.reliability, _modification(life))
     return "; ".join([f"{BY_LOADS}, {rated}", *of_rating, *further])

@@ -26,6 +26,7 @@ from quasidynamic.outcome.raceway_damage import ContactFatigue
 from quasidynamic.outcome.rating_life import BALL_EXPONENT, EquivalentLoad, rating_life, static_safety
 
 LETTERS = {"dynamic_rating": "C_r", "static_rating": "C_0r", "fatigue_limit_load": "C_u"}
+THRUST_LETTERS = LETTERS | {"dynamic_rating": "C_a", "static_rating": "C_0a"}
 POWERS = {BALL_EXPONENT: "3"}  # as a standard writes them, see `RatedBearing.power`
 
 
@@ -65,21 +66,25 @@ class Rating:
         return "given" if self.scale == 1 else f"given, times {self.scale:.4g} by the formula of {standard}"
 
 
-def rating_ratios(each: Sequence[Mapping[str, Rating]]) -> dict[str, Any]:
+def rating_ratios(
+    each: Sequence[Mapping[str, Rating]], letters: Mapping[str, str] = LETTERS
+) -> dict[str, Any]:
     """Given ratings of cases over those of the formulas."""
-    return {"rating_ratio": _by_letters(each, _ratio)}
+    return {"rating_ratio": _by_letters(each, _ratio, letters)}
 
 
-def rating_changes(each: Sequence[Mapping[str, Rating]]) -> dict[str, Any]:
+def rating_changes(
+    each: Sequence[Mapping[str, Rating]], letters: Mapping[str, str] = LETTERS
+) -> dict[str, Any]:
     """How much given ratings of cases changed with the bearing."""
-    return {"rating_change": _by_letters(each, _change)}
+    return {"rating_change": _by_letters(each, _change, letters)}
 
 
 def _by_letters(
-    each: Sequence[Mapping[str, Rating]], measure: Callable[[Rating], float]
+    each: Sequence[Mapping[str, Rating]], measure: Callable[[Rating], float], letters: Mapping[str, str]
 ) -> dict[str, list[float]]:
     names = {name for ratings in each for name in ratings}
-    return {LETTERS[name]: [_known(measure, ratings.get(name)) for ratings in each] for name in sorted(names)}
+    return {letters[name]: [_known(measure, ratings.get(name)) for ratings in each] for name in sorted(names)}
 
 
 def _known(measure: Callable[[Rating], float], rating: Rating | None) -> float:
@@ -275,7 +280,7 @@ class RatedBearing:
         """Load that gives a life [10^6 revolutions] by C_r of all rows [N]."""
         return float(reference_load(basic, self.rows_rating * self.dynamic, self.exponent))
 
-    def modified(self, basic: float, parts: LoadedParts) -> LifeOfState | None:
+    def modified(self, basic: float, parts: LoadedParts | None) -> LifeOfState | None:
         """The life of a state after every factor; None where nothing modifies it, or a factor does not hold.
 
         The basic life is that by the loads of all elements [10^6 revolutions], the sum over its parts.

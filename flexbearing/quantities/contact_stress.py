@@ -53,7 +53,8 @@ def static_safety(part: str, load: str, *, optional: bool = False) -> tuple[Quan
                 SummaryValue("static_safety", label="static safety C_0/P_0", digits=",.2f"),)),
         Quantity("effective_static_safety", "S_0,eff", "", "1", "block",
             "static safety from the largest load Q of a ball, or of a roller as loaded as the most loaded "
-            "slice, 5 C_0/(i Z cos(alpha) Q) as a public program states ISO 17956:2025; infinite without load"
+            "slice, 5 C_0/(i Z cos(alpha) Q) as a public program states ISO 17956:2025, between washers "
+            "C_0/(Z Q); infinite without load"
             f"{absent}", source=f"{part}.effective_static_safety", infinite=True, optional=optional, summary=(
                 SummaryValue("effective_static_safety", label="effective static safety", digits=",.2f"),)),
     )

@@ -42,6 +42,7 @@ _ONE_ROW = "absent of one row"
 _UNRATED = "absent at rest, without load, and where ISO 281 has no rating and the case gives none"
 _PRESSURES = ("inner_pressure", "outer_pressure")
 _NO_FRICTION = "absent without outputs.friction"
+_NO_RIB = "absent without bearing.rib"
 LOSSES = (  # causes, words, sources
     ("sliding", "sliding of the raceways on the rollers", "friction.sliding_heat.sum"),
     ("rolling", "rolling friction of the oil film", "friction.rolling_heat.sum"),
@@ -102,7 +103,7 @@ QUANTITIES = (
         optional=True,
         summary=(SummaryValue("unloading_force_N", label="axial load that unloads a row", digits=",.1f"),)),
     Quantity("slice_position", "s", "K", "m", "block",
-        "place of the slice's middle along the contact, 0 in its middle, positive to the large end",
+        "place of the slice's middle along the contact, 0 in its middle, positive to the large or outer end",
         source="loads.slices.centres", people=MM),
 
     Quantity("inner_deflection", "w_i", "Z K", "m", "block",
@@ -115,27 +116,30 @@ QUANTITIES = (
                 "largest displacement of the outer raceway", ".2f"),)),
 
     # rib
-    Quantity("rib_load", "Q_f", "Z", "N", "block", "load of the roller's large end on the rib, >= 0",
-        source="loads.rib_loads", summary=(
+    Quantity("rib_load", "Q_f", "Z", "N", "block",
+        f"load of the roller's large end on the rib, >= 0; {_NO_RIB}", source="rib.loads.rib_loads",
+        optional=True, summary=(
             SummaryValue("max_rib_load_N", largest, "largest rib load", ",.1f"),
             SummaryValue("rib_loads_N"),
         )),
     Quantity("rib_pressure", "p_f", "Z", "Pa", "block",
-        "peak pressure of the spherical end on the flat rib, 0 without load", source="loads.rib_pressures",
-        people=MPA, summary=(
+        f"peak pressure of the spherical end on the flat rib, 0 without load; {_NO_RIB}",
+        source="rib.loads.rib_pressures", optional=True, people=MPA, summary=(
             SummaryValue("max_rib_pressure_MPa", largest, "largest rib pressure", ",.0f"),)),
     Quantity("rib_sliding", "v_f", "", "m/s", "block",
         "speed of the rib over the roller's end in their contact, positive to +azimuth, rollers in pure "
-        "rolling", source="loads.speeds.rib_sliding", summary=(
+        f"rolling; {_NO_RIB}", source="rib.loads.speeds.rib_sliding", optional=True, summary=(
             SummaryValue("rib_sliding_m_per_s", label="sliding on the rib", digits=".3f"),)),
-    Quantity("rib_radius", "r_f", "", "m", "block", "distance of the rib contacts from the bearing axis",
-        source="loads.bearing.rib_radius", people=MM),
+    Quantity("rib_radius", "r_f", "", "m", "block",
+        f"distance of the rib contacts from the bearing axis; {_NO_RIB}",
+        source="rib.loads.bearing.rib_radius", optional=True, people=MM),
     Quantity("rib_contact_depth", "b", "", "m", "block",
-        "distance of the rib contact from the roller's axis, positive towards the bearing axis",
-        source="loads.bearing.rib.depth", people=MM, summary=(
+        f"distance of the rib contact from the roller's axis, positive towards the bearing axis; {_NO_RIB}",
+        source="rib.loads.bearing.rib.depth", optional=True, people=MM, summary=(
             SummaryValue("rib_contact_depth_mm", label="rib contact below roller's axis", digits=".3f"),)),
     Quantity("rib_heat", "", "Z", "W", "block",
-        "heat of the Coulomb friction of the end on the rib", source="solution.rib_heat", summary=(
+        f"heat of the Coulomb friction of the end on the rib; {_NO_RIB}", source="rib.rib_heat",
+        optional=True, summary=(
             SummaryValue("rib_heat_W", lambda heat: heat.sum(-1), "heat of the ribs", ",.3g"),)),
 
     # film and friction
@@ -194,8 +198,8 @@ QUANTITIES = (
 
     # life
     Quantity("life_L10", "L_10r", "", "rev", "block",
-        "reference rating life of both raceways together by ISO/TS 16281 from the loads of all slices, the "
-        f"rib left out, 90 % survival; {_UNRATED}", source="life.basic", people=MREV, optional=True,
+        "reference rating life of both raceways together by ISO/TS 16281 from the loads of all slices, ribs "
+        f"left out, 90 % survival; {_UNRATED}", source="life.basic", people=MREV, optional=True,
         summary=(SummaryValue("life_L10_Mrev", label="reference life L10r, ISO/TS 16281", digits=",.4g",
                               speed="relative_speed"),)),
     Quantity("raceway_life", "L_10,i, L_10,o", "race", "rev", "block",
@@ -211,12 +215,12 @@ QUANTITIES = (
     Quantity("relative_speed", "", "", "rad/s", "block",
         "speed of the inner ring less that of the outer ring, by which revolutions become hours",
         source="loads.operation.relative_speed", people=RPM),
-    Quantity("dynamic_rating", "C_r", "", "N", "block",
-        "basic dynamic radial load rating: life.dynamic_rating, or that of ISO 281; absent where neither is",
-        source="rated.dynamic", optional=True, summary=(
-            SummaryValue("dynamic_rating_N", label="dynamic rating C_r", digits=",.0f"),)),
+    Quantity("dynamic_rating", "C", "", "N", "block",
+        "basic dynamic load rating, of thrust bearings axial: life.dynamic_rating, or that of ISO 281; "
+        "absent where neither is", source="rated.dynamic", optional=True, summary=(
+            SummaryValue("dynamic_rating_N", label="dynamic rating C", digits=",.0f"),)),
     Quantity("equivalent_load", "P", "", "N", "block",
-        "dynamic equivalent radial load of ISO 281, X F_r + Y F_a of what the rollers carry",
+        "dynamic equivalent load of ISO 281, X F_r + Y F_a of what the rollers carry",
         source="rated.equivalent", summary=(
             SummaryValue("equivalent_load_N", label="equivalent load P", digits=",.1f"),)),
     Quantity("axial_load_limit", "e", "", "1", "block",

@@ -73,6 +73,7 @@ that links to other files, or that does not follow these tables is refused.
 _KINDS = {
     "cylindrical_roller": ("roller", "Results of cylindrical roller bearings"),
     "tapered_roller": ("tapered", "Results of tapered roller bearings"),
+    "thrust_roller": ("thrust", "Results of roller thrust bearings"),
     "four_point_ball": ("four-point", "Results of four-point ball bearings"),
     "angular_contact_ball": ("ball", "Results of angular-contact and deep groove ball bearings"),
 }

@@ -48,6 +48,7 @@ SHORT = {
     "angular_contact_ball": "angular-contact",
     "deep_groove_ball": "deep groove",
     "tapered_roller": "tapered",
+    "thrust_roller": "thrust",
 }
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from flexbearing.case.family import Entry
@@ -161,3 +161,4 @@ TAPERED = FamilyReport(
     ),
     short={"loads": "roller_loads", "pressure": "pressure_along"},
 )
+THRUST = replace(TAPERED, drawings=Entry("flexbearing.report.drawing.of_case:of_thrust_rollers"))

@@ -18,8 +18,10 @@ from flexbearing.life.tapered_lives import LoadsRated
 from flexbearing.outputs import requested
 from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
+from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import row, taken
 from flexbearing.quantities.tapered import LAYOUT
+from flexbearing.quantities.thrust_roller import LAYOUT as OF_THRUST
 from flexbearing.results import Recorder
 from flexbearing.runs import judged, subsurface
 from flexbearing.runs.answer import BAD_INPUT, CONVERGED, Answer, row_findings
@@ -39,6 +41,8 @@ from quasidynamic.outcome.worst_line_contact import WorstLineContact
 from quasidynamic.tapered_friction import TaperedFriction
 
 NOT_SOLVED = "not solved"
+LAYOUTS: dict[str, Layout] = {"tapered_roller": LAYOUT, "thrust_roller": OF_THRUST}
+WORDS = {"tapered_roller": "tapered rollers", "thrust_roller": "rollers"}
 
 
 @dataclass(frozen=True)
@@ -56,8 +60,8 @@ class Solution:
         if not self.case.outputs.friction:
             return None
         laws = lubrication.lubrication(self.case)
-        cage = tapered_bearing.cage(self.case)
-        return TaperedFriction(self.loads, laws, self.case.bearing.rib.friction, cage)
+        cage, rib = tapered_bearing.cage(self.case), tapered_bearing.rib_friction(self.case)
+        return TaperedFriction(self.loads, laws, rib, cage)
 
     @property
     def film_ratio(self) -> NDArray | None:
@@ -87,7 +91,7 @@ class Solution:
         if self.friction is not None:
             return self.friction.rib_heat
         sliding = abs(self.loads.speeds.rib_sliding)
-        return self.case.bearing.rib.friction * self.loads.rib_loads * sliding
+        return tapered_bearing.rib_friction(self.case) * self.loads.rib_loads * sliding
 
     @cached_property
     def worst(self) -> WorstLineContact:
@@ -139,11 +143,12 @@ def solved(case: TaperedCase, raceways: Any = RIGID) -> Solution:
 
 def solutions(case: TaperedCase, report: Report) -> Iterator[tuple[Block, Solution]]:
     """Yield the solution between rigid rings, then that between elastic ones where the case has them."""
-    report.stage("tapered rollers between rigid rings", None)
+    rollers = WORDS[case.kind]
+    report.stage(f"{rollers} between rigid rings", None)
     yield "rigid", solved(case)
     if not case.rigid:
         shapes = raceways(case, report)
-        report.stage("tapered rollers between elastic rings", None)
+        report.stage(f"{rollers} between elastic rings", None)
         yield "flexible", solved(case, shapes)
 
 
@@ -192,18 +197,23 @@ def block(solution: Solution) -> dict[str, NDArray]:
         ),
         "solution": solution,
         "loads": loads,
+        "rib": solution if solution.case.bearing.rib else None,
         "rated": solution.rated,
         "life": solution.lives,
         "worst": worst,
         "friction": solution.friction,
     }
-    return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)
+    return row(
+        taken(LAYOUTS[solution.case.kind].quantities, {name: [part] for name, part in parts.items()}), 0
+    )
 
 
 def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of roller bearings."""
     case, loads, rated, lives = solution.case, solution.loads, solution.rated, solution.lives
     own = tapered_lives.rated(case)
+    thrust = case.kind == "thrust_roller"
+    letters = rated_bearing.THRUST_LETTERS if thrust else rated_bearing.LETTERS
     values: dict[str, Any] = {
         **judged.pressures(solution.worst.pressure, ROLLERS),
         "static_safety": rated.static_safety,
@@ -212,8 +222,8 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         "least_stiffness": judged.least_stiffness(loads.stiffness[None, 1:3, 1:3]),
         "neglected": _neglected(solution),
         "rib_reach": loads.rib_reach.max() / (loads.bearing.roller.diameter / 2),
-        **rated_bearing.rating_ratios([own.given]),
-        **rated_bearing.rating_changes([own.given]),
+        **rated_bearing.rating_ratios([own.given], letters),
+        **rated_bearing.rating_changes([own.given], letters),
     }
     if lives is not None:
         life = lives.basic if lives.modified is None else lives.modified
@@ -222,7 +232,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
             "dynamic_rating": rated.dynamic,
             **judged.lives(life / MREV, loads.operation.relative_speed, [case.life.required]),
         }
-    return evaluate(declared.OF_TAPERED, values)
+    return evaluate(declared.OF_THRUST_ROLLERS if thrust else declared.OF_TAPERED, values)
 
 
 def _neglected(solution: Solution) -> dict[str, float]:
@@ -230,7 +240,8 @@ def _neglected(solution: Solution) -> dict[str, float]:
     loads, largest = solution.loads, float(solution.loads.loads.max())
     if not largest:
         return {}
-    rib, friction = solution.case.bearing.rib.friction * float(loads.rib_loads.max()), solution.friction
+    rib = tapered_bearing.rib_friction(solution.case) * float(loads.rib_loads.max())
+    friction = solution.friction
     raceways = {} if friction is None else {
         "friction of the raceways": float(np.abs(friction.traction).max() / largest)
     }  # fmt: skip
@@ -245,6 +256,8 @@ def notes(solution: Solution, found: Sequence[Judged]) -> tuple[Note, ...]:
     """What a user must know of the solution, judged by findings before."""
     without = "friction of the raceways, oil film and cage are left out of loads"
     inertia = "centrifugal forces and gyroscopic moments of pure rolling are in them"
+    if solution.case.bearing.rib is None:
+        inertia = "gyroscopic moments and centrifugal forces across rollers are in them, in pure rolling"
     if solution.friction is None:
         words = f"rollers roll without slip at mid-contact: {without} and speeds; {inertia}"
     else:
@@ -277,14 +290,14 @@ def _answer(case: TaperedCase, texts: Sequence[str]) -> Answer:
             blocks[name] = block(solution)
     except NotSolved as failure:
         of_rigid = [text for text in texts if text.startswith("rigid.")] if blocks else []
-        return Answer(NOT_SOLVED, str(failure), _numbers(blocks, of_rigid))
+        return Answer(NOT_SOLVED, str(failure), _numbers(case, blocks, of_rigid))
     except (BadCase, ImpossiblePart, OutOfRange) as problem:
         return Answer(BAD_INPUT, str(problem), {})
     assert solution  # of rigid rings, at least
-    numbers = _numbers(blocks, texts)
+    numbers = _numbers(case, blocks, texts)
     judgement = judge(solution)
     return Answer(CONVERGED, "", numbers, row_findings(records(judgement), notes(solution, judgement)))
 
 
-def _numbers(blocks: dict[str, Any], texts: Sequence[str]) -> dict[str, float]:
-    return {text: requested(LAYOUT, text).number(blocks) for text in texts}
+def _numbers(case: TaperedCase, blocks: dict[str, Any], texts: Sequence[str]) -> dict[str, float]:
+    return {text: requested(LAYOUTS[case.kind], text).number(blocks) for text in texts}

@@ -79,7 +79,7 @@ def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
     if pair is not None and (pair.preload or (pair.offset or 0.0) > 0):
         return False
     try:
-        if case.kind == "tapered_roller":  # nothing presses a free cone into its cup
+        if case.kind in ("tapered_roller", "thrust_roller"):  # nothing presses a free ring on its rollers
             from flexbearing.build.tapered_bearing import bearing
 
             return not case.bearing.opposed or bearing(case).rows[0].closer <= 0

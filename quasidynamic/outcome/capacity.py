@@ -67,7 +67,7 @@ def raceway_capacity(bearing: RatedRollers) -> tuple[float, float]:
     Bearing steel, full film, evenly loaded rollers.
     """
     g = bearing.diameter_ratio
-    size = 552 * MATERIAL_FACTOR * g ** (2 / 9) * _roller_size(bearing) * bearing.rollers ** (-1 / 4)
+    size = 552 * MATERIAL_FACTOR * g ** (2 / 9) * roller_size(bearing) * bearing.rollers ** (-1 / 4)
     inner = (1 - g) ** (29 / 27) / (1 + g) ** (1 / 4)
     outer = (1 + g) ** (29 / 27) / (1 - g) ** (1 / 4)
     return size * inner, size * outer
@@ -137,7 +137,7 @@ def dynamic_rating(bearing: RatedRollers, material_factor: float = MATERIAL_FACT
     gamma from 0.01 to 0.30; half the rollers loaded, rigid rings, profiled rollers, rows alike.
     """
     factor = material_factor * geometry_factor(bearing.diameter_ratio)
-    return factor * _rows(bearing) * _roller_size(bearing) * bearing.rollers ** (3 / 4)
+    return factor * _rows(bearing) * roller_size(bearing) * bearing.rollers ** (3 / 4)
 
 
 def reference_raceway_capacity(bearing: RatedRollers, rating: float | None = None) -> tuple[float, float]:
@@ -200,7 +200,7 @@ def roller_capacity(bearing: RatedRollers) -> tuple[float, float]:
     -----
     Bearing steel, full film, aligned rollers.
     """
-    g, size = bearing.diameter_ratio, 464 * _roller_size(bearing)
+    g, size = bearing.diameter_ratio, 464 * roller_size(bearing)
     return size * (1 - g) ** 1.324, size * (1 + g) ** 1.324
 
 
@@ -262,7 +262,7 @@ def fatigue_load_limit(bearing: RatedRollers, rating: float | None = None) -> fl
     return rating / 8.2 * float(np.minimum(1.0, 100 / pitch)) ** 0.3
 
 
-def _roller_size(bearing: RatedRollers) -> float:
+def roller_size(bearing: RatedRollers) -> float:
     """D^(29/27) l^(7/9) of the roller (N, mm)."""
     roller = bearing.roller
     return (roller.diameter / MILLIMETRE) ** (29 / 27) * (roller.length / MILLIMETRE) ** (7 / 9)

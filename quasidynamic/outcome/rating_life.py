@@ -111,12 +111,13 @@ def effective_static_safety(
 ) -> Any:
     r"""Static safety from the largest load of a rolling element.
 
-    .. math:: S_{0,eff} = \frac{Q_0}{Q_{max}},\quad Q_0 = \frac{5\, C_{0r}}{i Z \cos\alpha}
+    .. math:: S_{0,eff} = \frac{Q_0}{Q_{max}},\quad Q_0 = \frac{5\, C_{0r}}{i Z \cos\alpha},\quad
+              Q_0 = \frac{C_{0a}}{Z} \;(\alpha = 90°)
 
     Parameters
     ----------
     rating : float or array (...)
-        C_0r, static load rating of i rows [N]
+        C_0r, static load rating of i rows, or C_0a [N]
     load : float or array (...)
         Q_max, largest contact load [N], >= 0; of rollers that of n_s slices as loaded as the most loaded one
     elements : int or array (...)
@@ -135,7 +136,7 @@ def effective_static_safety(
     ------
     Of rollers Formulas 5 to 7 of ISO 17956 (2025) as a public program states them (CHOICHOI-KIMM/AI_Seminar,
     CRB-main/Manual/13_StaticLoadRating.md), not checked against its text; of balls the same with one contact.
-    The 5 is the share of the most loaded element in ISO 76.
+    The 5 is the share of the most loaded element in ISO 76; between washers all are loaded alike.
 
     Valid
     -----
@@ -145,7 +146,8 @@ def effective_static_safety(
     2.0
     """
     with np.errstate(divide="ignore"):
-        allowed = 5 * np.asarray(rating) / (rows * np.asarray(elements) * np.cos(contact_angle))
+        share = 1.0 if contact_angle == np.pi / 2 else 5 / (rows * np.cos(contact_angle))
+        allowed = share * np.asarray(rating) / np.asarray(elements)
         return (allowed / np.asarray(load, dtype=float))[()]
 
 

@@ -1,20 +1,15 @@
 """Ratings, equivalent loads and life of a tapered roller bearing."""
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quasidynamic.outcome.capacity import (
     MATERIAL_FACTOR,
     dynamic_rating,
-    fatigue_load_limit,
     reference_raceway_capacity,
     static_rating,
 )
-from quasidynamic.outcome.life import Turning, slice_life
-from quasidynamic.outcome.raceway_damage import LINE, raceway_damage
 from quasidynamic.outcome.rating_life import EquivalentLoad
 from quasidynamic.parts.roller_bearing import Roller
 from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
@@ -34,8 +29,13 @@ class InclinedRow:
     def of(cls, bearing: TaperedRollerBearing) -> "InclinedRow":
         """The rows of a bearing."""
         roller, angle = bearing.roller, bearing.cup_angle
-        projected = replace(roller, length=roller.length * float(np.cos(angle)))
+        projected = replace(roller, length=roller.length * cls.projection(angle))
         return cls(bearing.rollers, projected, bearing.pitch_diameter, angle, len(bearing.rows))
+
+    @staticmethod
+    def projection(contact_angle: float) -> float:
+        """Length of the rollers in ratings over that of the contact [-], contact angle [rad]."""
+        return float(np.cos(contact_angle))
 
     @property
     def diameter_ratio(self) -> float:
@@ -65,15 +65,6 @@ class InclinedRow:
         ISO 76 (2006).
         """
         return static_rating(self)
-
-    def fatigue_load_limit(self, static: float) -> float:
-        """C_u of ISO 281 from C_0r, both [N], see `capacity.fatigue_load_limit`.
-
-        Source
-        ------
-        ISO 281 (2007), annex B.
-        """
-        return fatigue_load_limit(self, static)
 
     def raceway_capacity(self, rating: float) -> tuple[float, float]:
         r"""Roller loads that the raceways survive for a million revolutions [N], inner and outer.
@@ -162,19 +153,7 @@ def tapered_static_load(
     .. math:: P_{0r} = \max(0.5 F_r + 0.22 \cot\alpha\, F_a,\; F_r),\quad
               P_{0r} = F_r + 0.44 \cot\alpha\, F_a \quad \text{(two rows)}
 
-    Parameters
-    ----------
-    radial, axial : float
-        F_r, F_a [N], >= 0
-    contact_angle : float
-        alpha of the cup [rad]
-    opposed : bool
-        whether two rows press each other
-
-    Returns
-    -------
-    EquivalentLoad
-        P_0r [N] with X_0 and Y_0
+    Arguments as of `tapered_dynamic_load`; P_0r is in N, with X_0 and Y_0.
 
     Source
     ------
@@ -209,39 +188,3 @@ def induced_thrust(radial: float, contact_angle: float) -> float:
     Catalogues of the makers, as SKF, Rolling bearings (2018): half of the rollers carry.
     """
     return radial / (2 * axial_factor(contact_angle))
-
-
-def tapered_reference_life(
-    inner: NDArray, outer: NDArray, row: InclinedRow, turning: Turning, rating: float
-) -> Any:
-    """L10r of ISO/TS 16281 under the loads of all slices of both raceways [10^6 revolutions].
-
-    Slice loads (Z, K) [N] and `turning` are those of `slice_life`, C_r [N] is the rating; infinite without
-    load.
-
-    Source
-    ------
-    ISO/TS 16281 (2008), roller bearings.
-
-    Valid
-    -----
-    Reliability 90 %, no edge stress; the rib is left out: it wears, or seizes, before it fatigues.
-    """
-    return slice_life(inner, outer, row.raceway_capacity(rating), turning, rows=row.row_count)
-
-
-def tapered_raceway_lives(
-    inner: NDArray, outer: NDArray, row: InclinedRow, turning: Turning, rating: float
-) -> NDArray:
-    """Each raceway on its own (2) [10^6 revolutions], inner first; see `tapered_reference_life`.
-
-    Source
-    ------
-    ISO/TS 16281 (2008), roller bearings.
-    """
-    sides = zip((inner, outer), row.raceway_capacity(rating), turning, strict=True)
-    damage = np.array(
-        [raceway_damage(load, capacity, share, rows=row.row_count) for load, capacity, share in sides]
-    )
-    with np.errstate(divide="ignore"):  # no load, no damage: for ever
-        return damage ** (-1 / LINE.weibull)

@@ -14,13 +14,15 @@ from quasidynamic.parts.material import Material, contact_modulus
 from quasidynamic.parts.profile import STRAIGHT, Profile, Straight
 from quasidynamic.parts.roller_bearing import Roller
 
-STEEPEST = 45.0  # [deg] angle of a cup: beyond it the load is more axial than radial
 MOST_TAPER = 0.2  # [rad] half angle of a roller, for which it may count as a cylinder in its inertia; assumed
 
 
 @dataclass(frozen=True, kw_only=True)
 class Rib:
-    """The rib of the cone that the large ends of the rollers rest on: a contact with load ~ approach^1.5."""
+    """The rib of the cone that the large ends of the rollers rest on: a contact with load ~ approach^1.5.
+
+    Without stiffness there is none, see `without_rib`.
+    """
 
     angle: float  # [rad] alpha_f of its normal from the axis
     stiffness: float  # [N/m^1.5]
@@ -29,7 +31,23 @@ class Rib:
     curvature: float = 0.0  # [1/m] of the roller's end; 0 of a flat one, whose pressure is not known
 
     def __post_init__(self):
-        require_positive("rib.stiffness", self.stiffness)
+        if self.stiffness < 0:
+            raise ImpossiblePart(f"rib.stiffness = {self.stiffness}: it must not be negative")
+
+
+def without_rib(axis_angle: float) -> Rib:
+    """No rib: cage, or rings that touch no end with a load, hold the rollers along their axes, beta [rad].
+
+    Returns
+    -------
+    Rib
+        without stiffness, its normal along the roller's axis
+
+    Source
+    ------
+    Geometry; what inertia presses along the axes of the rollers is in balance with that which holds them.
+    """
+    return Rib(angle=axis_angle, stiffness=0.0, lever=0.0, depth=0.0)
 
 
 def spherical_rib(roller: Roller, axis_angle: float, angle: float, radius: float, ring: Material) -> Rib:
@@ -147,7 +165,7 @@ def apex_angles(cup_angle: float, ratio: float) -> tuple[float, float]:
 
 @dataclass(frozen=True, kw_only=True)
 class TaperedRollerBearing:
-    """Conical rollers between the raceways of cup and cone; angle zero is a cylindrical roller bearing."""
+    """Conical rollers between cup and cone; cylindrical ones at angle zero, between washers at 90 degrees."""
 
     rollers: int  # of one row
     pitch_diameter: float  # [m] of the roller centres, where the normals of mid-contact meet the axes
@@ -169,19 +187,20 @@ class TaperedRollerBearing:
         require_positive("bearing.pitch_diameter", self.pitch_diameter)
         if self.rollers < 3:
             raise ImpossiblePart(f"bearing.rollers = {self.rollers}: a ring needs at least 3")
-        if self.rollers * self.roller.diameter >= pi * self.pitch_diameter:
-            raise ImpossiblePart(f"{self.rollers} rollers do not fit on the pitch circle")
-        if not 0.0 <= self.cone_angle <= self.cup_angle <= np.radians(STEEPEST):
+        on_circle = self.all_rollers if self.crossed else self.rollers
+        if on_circle * self.roller.diameter >= pi * self.pitch_diameter:
+            raise ImpossiblePart(f"{on_circle} rollers do not fit on the pitch circle")
+        if not 0.0 <= self.cone_angle <= self.cup_angle <= pi / 2:
             raise ImpossiblePart(
                 f"angle of the cup {np.degrees(self.cup_angle):.4g} deg and of the cone "
-                f"{np.degrees(self.cone_angle):.4g} deg: they must be 0 <= cone <= cup <= {STEEPEST:g} deg"
+                f"{np.degrees(self.cone_angle):.4g} deg: they must be 0 <= cone <= cup <= 90 deg"
             )
         if self.taper > MOST_TAPER:
             raise ImpossiblePart(
                 f"half angle of the rollers {np.degrees(self.taper):.4g} deg: at most "
                 f"{np.degrees(MOST_TAPER):.4g} deg"
             )
-        if not -pi / 2 < self.rib.angle < pi / 2:
+        if not -pi / 2 < self.rib.angle <= pi / 2:
             raise ImpossiblePart(f"rib.angle = {np.degrees(self.rib.angle):.4g} deg must be within 90 deg")
 
     @cached_property
@@ -228,7 +247,13 @@ class TaperedRollerBearing:
     def azimuths(self) -> NDArray:
         """Azimuths of all rollers from z towards y (Z) [rad], row by row."""
         of_row = self.first_roller_azimuth + 2 * np.pi * np.arange(self.rollers) / self.rollers
-        return np.tile(of_row, len(self.rows))
+        beside = 2 * np.pi / self.all_rollers if self.crossed else 0.0
+        return np.concatenate([of_row + number * beside for number in range(len(self.rows))])
+
+    @property
+    def crossed(self) -> bool:
+        """Whether the rollers of all rows alternate on one circle."""
+        return len(self.rows) > len({row.axial for row in self.rows})
 
     @property
     def all_rollers(self) -> int:

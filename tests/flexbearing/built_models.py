@@ -43,13 +43,14 @@ def built(case):
     """Fields of everything that the case is built into, by dotted names."""
     FAMILIES[case.kind].build()(case)
     makers = {"cylindrical_roller": _roller, "four_point_ball": _four_point, "tapered_roller": _tapered}
+    makers["thrust_roller"] = _tapered
     models = makers.get(case.kind, _angular)(case)
     models["case"] = {
         path: value
         for path, value in leaves(case.model_dump())
         if path.startswith(DIRECT)
         or path in ("bearing.contact", "bearing.rib.friction")
-        or (case.kind == "tapered_roller" and path == "accuracy.slices")
+        or (case.kind in ("tapered_roller", "thrust_roller") and path == "accuracy.slices")
     }
     return dict(leaves(models))
 
@@ -127,7 +128,7 @@ def _four_point(case):
 def _tapered(case):
     model, operation = tapered_bearing.build(case)
     viscosity = None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0]
-    inner, outer = cones.parts(case)
+    inner, outer = (None, None) if case.rigid else cones.parts(case)
     elastic = {race: each[0] for race, each in (("inner", inner), ("outer", outer)) if each}
     fineness = next((each[2] for each in (inner, outer) if each), None)
     oiled = lubrication(case) if case.outputs.friction else None

@@ -1,5 +1,9 @@
 """Contexts of tapered roller bearings in `case_key_effects`, and the profiles that all rollers have."""
 
+from flexbearing.case.declarations import declared
+from flexbearing.case.tapered.thrust_case import ThrustCase
+from tests.flexbearing.case_key_effects import spelt_out
+
 _STEEL = {"youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}
 _FILE = {
     "bearing.cone_angle": "10 deg",
@@ -89,3 +93,34 @@ CONTEXTS = {
         for shape, keys in shapes("7.5 mm").items()
     },
 }  # fmt: skip
+
+_WASHERS = {  # rollers of the tapered bearing between washers
+    **{key: value for key, value in CONTEXTS["tapered"][1].items() if key != "bearing.cone_angle"},
+    "bearing.rollers": 17, "bearing.pitch_diameter": "90 mm", "bearing.roller.diameter": "8.8 mm",
+    "bearing.roller.length": "15 mm", "operation.load.moment_y": None, "operation.tilt": "fixed",
+    "bearing.contact_law": "palmgren",
+}  # fmt: skip
+_SHARED = (
+    "", ", free to tilt", ", held", ", cage on a land", ", cage on rollers", ", rated", ", oil by its data",
+    ", data sheet",
+)  # fmt: skip
+_OF_WASHERS = [
+    name[7:] for name in CONTEXTS if name[7:] in _SHARED or "raceway " in name or "roller " in name
+]
+CONTEXTS |= {
+    f"thrust{context}": ("81110", {**_WASHERS, **{
+        key: {"axial": "20 um"} if key == "operation.displacement" else value
+        for key, value in CONTEXTS[f"tapered{context}"][1].items()
+        if key not in ("bearing.cone_angle", "operation.load.radial_z")}})
+    for context in _OF_WASHERS
+}  # fmt: skip
+
+
+def of_thrust(effects):
+    """Rows of tapered rollers that hold between washers, where no rib changes."""
+    keys = {item.path for item in declared(ThrustCase)}
+    for context, key, value, names in effects:
+        if context.startswith("tapered") and key in keys:
+            other = "91 mm" if key == "bearing.pitch_diameter" else value
+            each = (name for part in names.split() for name in spelt_out(part) if ".rib." not in name)
+            yield context.replace("tapered", "thrust"), key, other, " ".join(each)

@@ -34,7 +34,14 @@ def test_kind_decides_what_a_case_is():
     assert type(read_case(FOUR_POINT)) is FourPointCase
     assert type(read_case(ANGULAR)) is AngularCase
     assert type(read_case(DEEP_GROOVE)) is DeepGrooveCase
-    files = (CONFIGS / "mao2016.toml", FOUR_POINT, ANGULAR, DEEP_GROOVE, CONFIGS / "32207.toml")
+    files = (
+        CONFIGS / "mao2016.toml",
+        FOUR_POINT,
+        ANGULAR,
+        DEEP_GROOVE,
+        CONFIGS / "32207.toml",
+        CONFIGS / "81110.toml",
+    )
     assert {read_case(file).kind for file in files} == set(FAMILIES)
 
 

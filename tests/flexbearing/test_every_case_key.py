@@ -12,7 +12,7 @@ from flexbearing.case.problems import shown
 from flexbearing.families import FAMILIES
 from tests.flexbearing import tapered_contexts
 from tests.flexbearing.built_models import built
-from tests.flexbearing.case_key_effects import EFFECTS, spelt_out
+from tests.flexbearing.case_key_effects import EFFECTS as ROWS, spelt_out
 
 HERE = Path(__file__).parent
 CONFIGS = HERE.parents[1] / "configs"
@@ -24,7 +24,7 @@ DEEP_GROOVE = ("6209",)
 TAPERED = ("32207",)
 FILES = {
     "cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST,
-    "deep_groove_ball": DEEP_GROOVE, "tapered_roller": TAPERED,
+    "deep_groove_ball": DEEP_GROOVE, "tapered_roller": TAPERED, "thrust_roller": ("81110",),
 }  # fmt: skip
 
 _HEAT = {f"operation.temperatures.{name}": value for name, value in {
@@ -345,6 +345,7 @@ CONTEXTS |= {
 }
 
 CONTEXTS |= tapered_contexts.CONTEXTS
+EFFECTS = (*ROWS, *tapered_contexts.of_thrust(ROWS))
 _OF_ROLLERS = {"roller": "0.02 um", "inner_raceway": "0.05 um", "outer_raceway": "0.05 um"}
 for _context, _settings in _LUBRICATED.items():
     if "bearing.cage" not in _settings:
@@ -352,6 +353,7 @@ for _context, _settings in _LUBRICATED.items():
         if "bearing.roughness" in _keys:
             _keys["bearing.roughness"] = _OF_ROLLERS
         CONTEXTS[f"tapered, {_context}"] = ("32207", {**_keys, "outputs.friction": True})
+        CONTEXTS[f"thrust, {_context}"] = ("81110", {**_keys, "outputs.friction": True})
 
 
 def read_in(context, change=None):

@@ -397,7 +397,7 @@ IMPOSSIBLE = {
         {"elements": "30"}, "--elements 30: 3 to 20 rollers of 11 mm fit round the circle of 70.5 mm."
     ),
     "too long": (
-        {"length": "2.1 cm"}, "--length 2.1 cm: rollers are shorter than the bearing is wide, 20 mm."
+        {"length": "2.1 cm"}, "--length 2.1 cm: rollers are shorter than the room for them, 20 mm."
     ),
     "diameter": (
         {"diameter": "10 mm"}, "--diameter 10 mm: E - F is 81.5 mm - 59.5 mm, and half of it 11 mm."

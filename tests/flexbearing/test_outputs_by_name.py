@@ -42,6 +42,7 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
         "roller_loads_N", "outer_loads_N", "rib_loads_N", "roller_azimuths_deg", "stiffness_matrix_SI",
     },
 }  # fmt: skip
+LISTS["thrust_roller"] = LISTS["tapered_roller"] - {"rib_loads_N"}
 LISTS["deep_groove_ball"] = LISTS["angular_contact_ball"]
 
 

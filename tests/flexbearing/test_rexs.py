@@ -239,9 +239,9 @@ WRONG = {
     ),
     "a bearing of another kind": (
         f'<model version="1.7"><components><component id="4" type="{BEARING}">'
-        '<attribute id="bearing_type" unit="none">axial_roller_bearing</attribute>'
+        '<attribute id="bearing_type" unit="none">axial_self_aligning_roller_bearing</attribute>'
         "</component></components></model>",
-        "no case for axial_roller_bearing: 4",
+        "no case for axial_self_aligning_roller_bearing: 4",
     ),
 }  # fmt: skip
 

@@ -311,12 +311,14 @@ CONE = {
 }  # fmt: skip
 
 
-def cones(tmp_path, axial=(None, None), radial=("8", "1"), **attributes):
-    """A tapered bearing under two load cases."""
+def cones(
+    tmp_path, axial=(None, None), radial=("8", "1"), kind="radial_tapered_roller_bearing", **attributes
+):
+    """A tapered bearing, or one of another kind, under two load cases."""
     root = spectrum_of()
     components = root.find("components")
     components.remove(components.find("component[@id='3']"))
-    add(components, "3", CATALOGUE, bearing_type=("radial_tapered_roller_bearing", "none"), **attributes)
+    add(components, "3", CATALOGUE, bearing_type=(kind, "none"), **attributes)
     for case, *forces in zip(root.iter("load_case"), axial, radial, strict=True):
         given = zip(("axial_force", "radial_force_in_v"), forces, strict=True)
         case.remove(case.find("component[@id='3']"))
@@ -335,6 +337,26 @@ def test_a_tapered_bearing_has_the_angle_of_its_e_and_is_pressed_by_its_largest_
     assert {"bearing.rollers", "bearing.pitch_diameter", "bearing.rib.angle"} <= {*case["assumed"]}
     assert "bearing.cup_angle" not in case["assumed"]
     assert command(["study", "m_cycle.toml", "--check"]) == 0  # nothing presses it in the second load case
+
+
+@pytest.mark.parametrize("kind", ["axial_roller_bearing", "axial_needle_roller_bearing"])
+def test_thrust_bearings_are_cases_under_their_thrust_alone(written, tmp_path, kind):
+    given = {"inner_diameter": ("50", "mm"), "outer_diameter": ("70", "mm"), "width": ("14", "mm"),
+             "axial_static_load_rating": ("166", "kN")}  # fmt: skip
+    cones(tmp_path, ("-4", "0"), (None, None), kind, **given)
+    code, cases, messages = written("m.rexs")
+    case = cases["m.toml"]
+    assert (code, case["kind"], case["operation"]["load"]) == (0, "thrust_roller", {"axial": "4000 N"})
+    assert case["life"]["static_rating"] == "166 kN"
+    assert "assumed to press the shaft washer on the rollers, as that of load case 1" in messages
+    assert "not all loads press the shaft washer on the rollers" in messages
+
+
+def test_needle_bearings_are_cases_of_cylinders(written, tmp_path):
+    given = {"inner_diameter": ("50", "mm"), "outer_diameter": ("72", "mm"), "width": ("22", "mm")}
+    cones(tmp_path, kind="radial_needle_roller_bearing", **given)
+    _, cases, _ = written("m.rexs")
+    assert cases["m.toml"]["bearing"]["roller"]["diameter"] == "4.4 mm"
 
 
 def test_a_tapered_bearing_without_thrust_has_that_of_its_radial_load(written, tmp_path):

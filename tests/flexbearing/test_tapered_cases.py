@@ -258,7 +258,7 @@ REFUSED = {
     "cone that leaves its cup": (["operation.load.axial=0 N"], "the cone leaves the cup"),
     "moment on a held ring": (["operation.load.moment_y=1 N m"], 'it belongs to operation.tilt = "free"'),
     "rib beside the end": (["bearing.rib.angle=5 deg"], "must be within the end of the roller"),
-    "rollers that touch": (["bearing.rollers=20"], "they touch on the pitch circle"),
+    "rollers that touch": (["bearing.rollers=20"], "or they touch"),
     "taper the wrong way": (["bearing.cone_angle=15 deg"], "rollers taper towards the apex"),
     "load and place": (["operation.displacement.axial=1 um"], "give one of the two"),
 }

@@ -67,7 +67,7 @@ def test_one_page_of_balances_is_met(side, held):
     model = replace(bearing(clearance=10e-6, first_roller_azimuth=0.1), side=side)
     asked = operation(side * 10e3, held=held, speed=FAST)
     found = solved(model, asked)
-    rollers = np.column_stack([found.roller_place, found.roller_tilt])
+    rollers = np.column_stack([found.solution.state.rollers[:, :2], found.roller_tilt])
     compliances = with_rib(ring(model.azimuths)), 1.5 * ring(model.azimuths)
     inertia = found.speeds.centrifugal_force, found.speeds.gyroscopic_moment
     on_ring, on_rollers, misfits = out_of_balance(

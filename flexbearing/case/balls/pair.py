@@ -18,9 +18,9 @@ class Pair(Section):
     )
     distance: Length = key(
         "between the planes of the balls, or of the roller centres, of both rows; moments of operation.load "
-        "act about their middle",
+        "act about their middle; 0 of crossed rollers, which alternate on one circle",
         example="20 mm",
-        gt=0,
+        ge=0,
     )
     preload: Force | None = key(
         "axial force by which the rows press each other at rest, before mounting and without a load; it "

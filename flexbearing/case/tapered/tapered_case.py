@@ -1,7 +1,7 @@
 """A tapered roller bearing between rigid or elastic rings, as a case."""
 
 from math import asin, cos, hypot, pi, sin
-from typing import Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
@@ -9,7 +9,7 @@ from flexbearing.case.balls.pair import Pair
 from flexbearing.case.balls.parts import RingLoad
 from flexbearing.case.film_oil import FilmOil, require_contacts_in_oil
 from flexbearing.case.fits import FITTED, Fits, PartTemperatures
-from flexbearing.case.head import KIND
+from flexbearing.case.head import KIND, Head
 from flexbearing.case.mounted import (
     FittedBearing,
     FittedCase,
@@ -19,7 +19,7 @@ from flexbearing.case.mounted import (
     require_growing,
     shaft_material,
 )
-from flexbearing.case.outputs import LifeOutputs
+from flexbearing.case.outputs import ContactOutputs, LifeOutputs
 from flexbearing.case.quantity import (
     Angle,
     Force,
@@ -32,8 +32,9 @@ from flexbearing.case.quantity import (
     in_mm,
     key,
     located,
+    needed,
 )
-from flexbearing.case.ratings import TaperedLife, require_ratable
+from flexbearing.case.ratings import Ratings, TaperedLife, require_ratable
 from flexbearing.case.roller.bearing import GuidedCage, Roller, Roughness
 from flexbearing.case.roller.lubricant import FilmName
 from flexbearing.case.roller.profile import Generatrix
@@ -64,25 +65,11 @@ class Rib(Section):
     friction: float = key("Coulomb friction of the ends on the rib", example=0.05, ge=0, le=1)
 
 
-class TaperedBearing(FittedBearing):
-    """The bearing."""
+class RollersOnCircle(Section):
+    """Rollers between two raceways."""
 
     rollers: int = key("number of rollers", example=19, ge=3, le=1000)
     pitch_diameter: Length = key("diameter of the circle of the roller centres", ge=1e-3, le=100)
-    cup_angle: Angle = key(
-        "angle of the outer raceway from the axis, the contact angle of ISO 281: its tangent is e/1.5 of a "
-        "catalogue",
-        example="15.64 deg",
-        gt=0,
-        le=STEEPEST,
-    )
-    cone_angle: Angle | None = key(
-        "angle of the inner raceway from the axis; without it rollers and raceways have one apex on the axis",
-        None,
-        example="11.65 deg",
-        gt=0,
-        lt=STEEPEST,
-    )
     contact_law: Literal["palmgren", "iso16281"] = key("load law of a roller on a raceway", "palmgren")
     first_roller_azimuth: Angle = key("azimuth of a roller, from z towards y", "0 deg")
     roller: Roller = key("the rollers; diameter in the middle of the contact, length along it")
@@ -92,7 +79,6 @@ class TaperedBearing(FittedBearing):
     outer_raceway: Generatrix | None = key(
         "profile of the outer raceway along the rollers, which is straight without it", None
     )
-    rib: Rib = key("the rib of the inner ring, which holds the large ends of the rollers")
     roughness: Roughness | None = key(
         "roughness of rollers and raceways, for film ratios", None, only=FRICTION
     )
@@ -102,6 +88,61 @@ class TaperedBearing(FittedBearing):
         only=FRICTION,
     )
 
+    @property
+    def on_circle(self) -> int:
+        """Number of rollers on one circle."""
+        return self.rollers
+
+    @property
+    def narrowest(self) -> float:
+        """Diameter of the circle on which neighbouring rollers are closest [m]."""
+        return self.pitch_diameter
+
+    @model_validator(mode="after")
+    def _rollers_have_room(self) -> Self:
+        diameter, circle = self.roller.diameter, self.narrowest
+        if diameter >= circle / 2:
+            raise impossible("roller.diameter", f"below {in_mm(circle / 2)}, half the circle of the rollers")
+        most = int(pi / asin(diameter / circle) * (1 - 1e-12))
+        if self.on_circle > most:
+            most //= self.on_circle // self.rollers
+            raise impossible("rollers", f"at most {most}, or they touch")
+        if self.cage is not None and self.cage.thickness >= diameter:
+            raise impossible("cage.thickness", f"below {in_mm(diameter)}, bearing.roller.diameter")
+        return self
+
+    @model_validator(mode="after")
+    def _profiles_fit(self) -> Self:
+        for name in ("inner_raceway", "outer_raceway"):
+            table = getattr(self, name)
+            if table and (wrong := table.beyond(self.roller.length)):
+                raise impossible(f"{name}.{wrong[0]}", wrong[1])
+        return self
+
+
+class TaperedBearing(RollersOnCircle, FittedBearing):
+    """The bearing."""
+
+    cup_angle: Angle = key(
+        "angle of the outer raceway from the axis, the contact angle of ISO 281: its tangent is e/1.5 of a "
+        "catalogue",
+        example="15.64 deg",
+        gt=0,
+        le=STEEPEST,
+    )
+    cone_angle: Angle | None = key(
+        "angle of the inner raceway from the axis, of cylinders that of the outer one; without it rollers "
+        "and raceways have one apex on the axis",
+        None,
+        example="11.65 deg",
+        gt=0,
+        le=STEEPEST,
+    )
+    rib: Rib | None = key(
+        "the rib of the inner ring, which holds the large ends of the rollers; left out of cylinders, whose "
+        "cage or rings hold them without a load along their axes",
+        None,
+    )
     pair: Pair | None = key(
         "a second row of the same rollers: a pair of bearings, or a double-row one. Elastic outer rings are "
         "two, or one (outer.common); ratings in [life] are those of both rows",
@@ -131,6 +172,16 @@ class TaperedBearing(FittedBearing):
         if fits.outer_diameter <= outside:
             allowed = f"above the wide end of the outer raceway, {in_mm(outside)}"
             raise impossible("bearing.fits.outer_diameter", allowed)
+
+    @property
+    def crossed(self) -> bool:
+        """Whether the rollers of two rows alternate on one circle."""
+        return self.pair is not None and not self.pair.distance
+
+    @property
+    def on_circle(self) -> int:
+        """Number of rollers on one circle."""
+        return self.rollers * (2 if self.crossed else 1)
 
     @property
     def opposed(self) -> bool:
@@ -175,34 +226,19 @@ class TaperedBearing(FittedBearing):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if self.roller.diameter >= self.pitch_diameter / 2:
-            most = in_mm(self.pitch_diameter / 2)
-            raise impossible("roller.diameter", f"below {most}, half of bearing.pitch_diameter")
-        most = int(pi / asin(self.roller.diameter / self.pitch_diameter) * (1 - 1e-12))
-        if self.rollers > most:
-            raise impossible("rollers", f"at most {most}, or they touch on the pitch circle")
-        if self.cage is not None:
-            self._require_cage_between_raceways(self.cage)
-        if self.cone_angle is not None and self.cone_angle >= self.cup_angle:
-            raise impossible("cone_angle", "below bearing.cup_angle: rollers taper towards the apex")
-        return self
-
-    def _require_cage_between_raceways(self, cage: GuidedCage) -> None:
-        if cage.thickness >= self.roller.diameter:
-            raise impossible(
-                "cage.thickness", f"below {in_mm(self.roller.diameter)}, bearing.roller.diameter"
+        if self.cage is not None and self.cage.land_diameter is not None:
+            reach = self.roller.diameter + self.roller.length * sin(self.cup_angle)  # of rollers' outlines
+            low, high = self.pitch_diameter - reach, self.pitch_diameter + reach
+            if not low <= self.cage.land_diameter <= high:
+                raise impossible("cage.land_diameter", f"{in_mm(low)} to {in_mm(high)}, beside the rollers")
+        cylinders = self.cone_angle == self.cup_angle
+        if self.rib is None and not cylinders:
+            raise needed(["rib"], "rollers that taper")
+        if self.cone_angle is not None and (self.cone_angle > self.cup_angle or (cylinders and self.rib)):
+            allowed = (
+                "below bearing.cup_angle: rollers taper towards the apex; of cylinders leave out the rib"
             )
-        reach = self.roller.diameter + self.roller.length * sin(self.cup_angle)  # of the rollers' outlines
-        low, high = self.pitch_diameter - reach, self.pitch_diameter + reach
-        if cage.land_diameter is not None and not low <= cage.land_diameter <= high:
-            raise impossible("cage.land_diameter", f"{in_mm(low)} to {in_mm(high)}, beside the rollers")
-
-    @model_validator(mode="after")
-    def _profiles_fit(self) -> Self:
-        for name in ("inner_raceway", "outer_raceway"):
-            table = getattr(self, name)
-            if table and (wrong := table.beyond(self.roller.length)):
-                raise impossible(f"{name}.{wrong[0]}", wrong[1])
+            raise impossible("cone_angle", allowed)
         return self
 
 
@@ -222,7 +258,7 @@ class TaperedOil(FilmOil):
     film: FilmName = key("regression of the film thickness", "dowson")
 
 
-class TaperedOutputs(LifeOutputs):
+class RollerOutputs(ContactOutputs):
     """What is computed beside the solution."""
 
     friction: bool = key(
@@ -230,6 +266,10 @@ class TaperedOutputs(LifeOutputs):
         "[lubricant]",
         False,
     )
+
+
+class TaperedOutputs(RollerOutputs, LifeOutputs):
+    """What is computed beside the solution."""
 
 
 class TaperedLoad(RingLoad):
@@ -260,28 +300,24 @@ class TaperedTemperatures(PartTemperatures):
     roller: Temperature = key("of the rollers", gt=0)
 
 
-class TaperedOperation(Section):
+class RingOperation(Section):
     """Load and speed."""
 
     inner_speed: Speed = key("speed of the inner ring", example="1500 rpm")
     outer_speed: Speed = key("speed of the outer ring", "0 rpm")
     tilt: Literal["fixed", "free"] = key(
         "fixed: shaft and housing hold the rings at the turns of operation.displacement; free: the inner "
-        "ring turns until the moments balance, under a radial load by milliradians"
+        "ring turns until the moments balance, of cones under a radial load by milliradians"
     )
-    load: TaperedLoad = key("load on the inner ring", {})
-    displacement: TaperedDisplacement = key("where the inner ring is held instead of loaded", {})
-    temperatures: TaperedTemperatures | None = key(
-        "temperatures of the parts, for the fits; without them all have the dimensions given",
-        None,
-        only=FITTED,
-    )
+    load: Any = key("load on the inner ring", {})
+    displacement: Any = key("where the inner ring is held instead of loaded", {})
+    directions: ClassVar[tuple[str, ...]] = ("axial", "radial_y", "radial_z")  # with either of both
 
     @property
     def held(self) -> tuple[str, ...]:
         """Keys that hold the ring in place of a force, which is not known then."""
-        names = ("axial", "radial_y", "radial_z")
-        return tuple(f"displacement.{name}" for name in names if getattr(self.displacement, name) is not None)
+        held = self.displacement
+        return tuple(f"displacement.{name}" for name in self.directions if getattr(held, name) is not None)
 
     @property
     def is_pressed(self) -> bool:
@@ -302,14 +338,51 @@ class TaperedOperation(Section):
 
     @model_validator(mode="after")
     def _load_or_displacement(self) -> Self:
-        for name in ("axial", "radial_y", "radial_z"):
+        for name in self.directions:
             if getattr(self.load, name) and getattr(self.displacement, name) is not None:
                 allowed = f"left out beside operation.load.{name}; give one of the two"
                 raise impossible(f"displacement.{name}", allowed)
         return self
 
 
-class TaperedCase(FittedCase):
+class TaperedOperation(RingOperation):
+    """Load and speed."""
+
+    load: TaperedLoad = key("load on the inner ring", {})
+    displacement: TaperedDisplacement = key("where the inner ring is held instead of loaded", {})
+    temperatures: TaperedTemperatures | None = key(
+        "temperatures of the parts, for the fits; without them all have the dimensions given",
+        None,
+        only=FITTED,
+    )
+
+
+class InclinedCase(Head):
+    """A bearing whose rollers may have films and friction, and a life by their slices."""
+
+    bearing: RollersOnCircle = key("the bearing")
+    lubricant: TaperedOil | None = key(
+        "the oil, for the viscosity ratio of ISO 281, and for films and friction", None
+    )
+    operation: RingOperation = key("load and speed")
+    life: Ratings = key("what the life is rated with, and what modifies it", {})
+    outputs: RollerOutputs = key("further results to compute", {})
+
+    @model_validator(mode="after")
+    def _oil_has_films(self) -> Self:
+        friction, choice = self.outputs.friction, "outputs.friction = true"
+        require_contacts_in_oil(self.lubricant, friction, choice, self.bearing.roughness is not None)
+        if friction and self.operation.inner_speed == self.operation.outer_speed:
+            raise impossible("operation.inner_speed", f"another one than operation.outer_speed with {choice}")
+        return self
+
+    @model_validator(mode="after")
+    def _life_can_be_rated(self) -> Self:
+        require_ratable(self.life, self.operation, self.lubricant)
+        return self
+
+
+class TaperedCase(InclinedCase, FittedCase):
     """A tapered roller bearing: loads with inertia, rigid or elastic rings, friction in speeds alone."""
 
     file_keys = (
@@ -319,9 +392,6 @@ class TaperedCase(FittedCase):
     kind: Literal["tapered_roller"] = key(KIND)
     bearing: TaperedBearing = key("the bearing")
     materials: TaperedMaterials = key("the materials")
-    lubricant: TaperedOil | None = key(
-        "the oil, for the viscosity ratio of ISO 281, and for films and friction", None
-    )
     operation: TaperedOperation = key("load and speed")
     life: TaperedLife = key("what the life is rated with, and what modifies it", {})
     outer: TaperedOuter = key("what carries the outer raceway", {})
@@ -347,7 +417,13 @@ class TaperedCase(FittedCase):
         pair = self.bearing.pair
         if pair is None:
             return self
-        pair.require_apart(self.bearing.roller.length, "the length of the rollers")
+        if not self.bearing.crossed:
+            pair.require_apart(self.bearing.roller.length, "the length of the rollers")
+        elif self.bearing.rib or not pair.opposed or not self.rigid:
+            allowed = (
+                "above 0 mm with a rib, elastic rings or rows in tandem, which are not of crossed rollers"
+            )
+            raise impossible("bearing.pair.distance", allowed)
         if not pair.opposed and (self.inner.kind != "rigid" or self.outer.common):
             raise impossible("bearing.pair.arrangement", "another one of two rows in one elastic ring")
         return self
@@ -365,17 +441,4 @@ class TaperedCase(FittedCase):
     def _warm_parts_are_known(self) -> Self:
         if self.bearing.fits:
             require_growing(self.bearing.fits, self.materials, self.operation.temperatures, "roller")
-        return self
-
-    @model_validator(mode="after")
-    def _oil_has_films(self) -> Self:
-        friction, choice = self.outputs.friction, "outputs.friction = true"
-        require_contacts_in_oil(self.lubricant, friction, choice, self.bearing.roughness is not None)
-        if friction and self.operation.inner_speed == self.operation.outer_speed:
-            raise impossible("operation.inner_speed", f"another one than operation.outer_speed with {choice}")
-        return self
-
-    @model_validator(mode="after")
-    def _life_can_be_rated(self) -> Self:
-        require_ratable(self.life, self.operation, self.lubricant)
         return self

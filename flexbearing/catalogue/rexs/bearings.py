@@ -24,7 +24,10 @@ LIKE = {  # kinds of bearing that a case can be written for
     "radial_grooved_ball_bearing": "deep_groove_ball",
     "angular_contact_ball_bearing": "angular_contact_ball",
     "four_point_contact_ball_bearing": "four_point_ball",
+    "radial_needle_roller_bearing": "needle_roller",
     "radial_tapered_roller_bearing": "tapered_roller",
+    "axial_roller_bearing": "thrust_roller",
+    "axial_needle_roller_bearing": "thrust_roller",
 }
 CLASSES = {"C0": "CN"}  # that have another name in cases
 # entry to unit in REXS, that of a case, and attributes: of the schemas from 1.1 on, of other programs, of 1.0
@@ -33,9 +36,16 @@ OF_BEARING = {
     "outside": ("mm", "mm", ("outer_diameter",)),
     "width": ("mm", "mm", ("width",)),
     "dynamic_rating": (
-        "kN", "kN", ("radial_dynamic_load_rating", "dynamic_load_rating", "dynamic_capacity"),
+        "kN", "kN",
+        (
+            "radial_dynamic_load_rating", "dynamic_load_rating", "dynamic_capacity",
+            "axial_dynamic_load_rating",
+        ),
     ),
-    "static_rating": ("kN", "kN", ("radial_static_load_rating", "static_load_rating", "static_capacity")),
+    "static_rating": (
+        "kN", "kN",
+        ("radial_static_load_rating", "static_load_rating", "static_capacity", "axial_static_load_rating"),
+    ),
     "fatigue_limit": ("kN", "kN", ("fatigue_limit_load",)),
     "angle": ("deg", "deg", ("nominal_contact_angle",)),
     "clearance": ("mum", "um", ("operating_radial_bearing_clearance", "radial_backlash")),

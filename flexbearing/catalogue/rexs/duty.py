@@ -8,7 +8,7 @@ from flexbearing.case.declarations import toml
 from flexbearing.catalogue.entries import LIKES
 from flexbearing.catalogue.new import one_line
 from flexbearing.catalogue.rexs.bearings import Bearing
-from flexbearing.catalogue.rexs.load_cases import Point, measure_of
+from flexbearing.catalogue.rexs.load_cases import PRESSED, Point, measure_of
 from flexbearing.files import as_csv, require_outputs, write
 
 COMPLETE = 0.5  # [%] by how much a sum of percentages may be off, as studies allow
@@ -85,9 +85,9 @@ def _lacking(bearing: Bearing, columns: Mapping[str, list[float | None]]) -> str
     ):
         if None in columns.get(name, ()):
             return f"not all have {words}"
-    thrust_changes = bearing.like == "tapered_roller" and "axial" in columns
-    if thrust_changes and any(point.radial and (point.axial or 0.0) <= 0 for point in bearing.points):
-        return "not all loads press the cone into the cup"
+    needed = {"tapered_roller": [p for p in bearing.points if p.radial], "thrust_roller": bearing.points}
+    if "axial" in columns and any((p.axial or 0.0) <= 0 for p in needed.get(bearing.like, ())):
+        return f"not all loads press {PRESSED[bearing.like]}"
     return "" if columns else "options give all that changes"
 
 
@@ -102,4 +102,4 @@ def _shares(points: tuple[Point, ...]) -> tuple[str, list[float], float]:
 
 
 def _heading(like: str, name: str) -> str:
-    return OF_ROLLERS.get(name, COLUMNS[name]) if like == "cylindrical_roller" else COLUMNS[name]
+    return OF_ROLLERS.get(name, COLUMNS[name]) if LIKES[like].kind == "cylindrical_roller" else COLUMNS[name]

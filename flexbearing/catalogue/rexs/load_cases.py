@@ -22,6 +22,7 @@ FORCES = (  # newtons on the inner ring, unit and attributes along u, the shaft,
 PRESSED = {  # kinds that carry axial loads in one direction
     "angular_contact_ball": "the balls on their shoulders",
     "tapered_roller": "the cone into the cup",
+    "thrust_roller": "the shaft washer on the rollers",
 }
 VECTOR = "reaction_force"  # of some programs: an array along u, v, w
 

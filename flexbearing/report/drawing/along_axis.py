@@ -1,6 +1,7 @@
 """A bearing seen along its axis: rolling elements with their numbers, azimuth, load, what holds the ring."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -76,13 +77,27 @@ def balls(words: Words) -> Drawing:
 
 def tapered_rollers(words: Words) -> Drawing:
     """Draw a tapered roller bearing along its axis, rollers as circles of their diameter in the middle."""
+    return _inclined_rollers(words, words.case.bearing.roller.diameter, _elements)
+
+
+def thrust_rollers(words: Words) -> Drawing:
+    """Draw a roller thrust bearing along its axis, rollers along the radii of their washers."""
+    roller = words.case.bearing.roller
+    size = (roller.length + 0.3 * roller.diameter) / 2
+    return _inclined_rollers(words, size, partial(_lying, length=roller.length))
+
+
+def _inclined_rollers(words: Words, size: float, draw: Callable[..., None]) -> Drawing:
+    """Rings that reach a size in- and outwards of the pitch circle [m], with rollers as `draw` has them."""
     sheet, case = Sheet("along-axis", words), words.case
     bearing: Any = case.bearing
-    pitch, size = bearing.pitch_diameter / 2, bearing.roller.diameter
+    pitch = bearing.pitch_diameter / 2
     for reach, colour in ((1.0, OUTER), (0.5, "white"), (-0.5, INNER), (-1.0, "white")):
         sheet.circle(pitch + reach * size, fc=colour, **SCHEMATIC)
     azimuths = bearing.first_roller_azimuth + 2 * np.pi * np.arange(bearing.rollers) / bearing.rollers
-    _elements(sheet, pitch, size / 2, azimuths)
+    if bearing.on_circle > bearing.rollers:  # crossed: those of the other direction between them
+        azimuths = np.append(azimuths, azimuths + np.pi / bearing.rollers)
+    draw(sheet, pitch, bearing.roller.diameter / 2, azimuths)
     sheet.label("bearing.pitch_diameter", place(pitch, 1.9), "Ø ")
     _count(
         sheet, azimuths, ("bearing.rollers", "bearing.first_roller_azimuth", "bearing.roller.diameter"), pitch
@@ -181,6 +196,14 @@ def _contours_of_balls(case: Any, pitch: float, size: float) -> Iterator[tuple[f
         yield hollow, {"fc": "white"}
 
 
+def _lying(sheet: Sheet, pitch: float, radius: float, azimuths: np.ndarray, length: float) -> None:
+    """Rollers along the radii, numbered as circles are."""
+    for azimuth in azimuths:
+        outline = _bar(pitch - length / 2, pitch + length / 2, 2 * radius, azimuth)
+        sheet.area(outline, fc=ELEMENT, lw=0.6)
+    _elements(sheet, pitch, 0.2 * radius, azimuths)
+
+
 def _elements(sheet: Sheet, pitch: float, radius: float, azimuths: np.ndarray) -> None:
     """Rolling elements at their places, with numbers from 1, every few where there are many."""
     step = next(s for s in (1, 2, 5, 10, 20, 50, 100) if len(azimuths) <= MOST_NUMBERS * s)
@@ -262,7 +285,8 @@ def _finished(sheet: Sheet, case: Any, element: str) -> Drawing:
     sheet.notes.append(f"Red: load on the inner ring{teeth}. Green: rotation. {NUMBERS}")
     if sheet.is_schematic:
         sheet.notes.append("Dashed: schematic, the case has no dimensions of it.")
-    number = case.bearing.rollers if element == "roller" else case.bearing.balls
+    bearing = case.bearing
+    number = getattr(bearing, "on_circle", bearing.rollers) if element == "roller" else bearing.balls
     return sheet.drawn(
         f"The bearing along its axis, to scale: {number} {element}s, azimuth 0 along z.",
         f"Bearing seen along its axis with {number} {element}s, numbered, axes y and z, azimuth and load.",

@@ -11,6 +11,7 @@ from flexbearing.report.drawing import (
     profiles,
     roller_section,
     tapered_section,
+    thrust_section,
 )
 from flexbearing.report.drawing.sheet import Drawing
 from flexbearing.report.drawing.words import Words
@@ -33,8 +34,7 @@ def of_rollers(words: Words) -> Iterator[Drawing]:
     yield along_axis.rollers(words)
     if words.case.outer.kind == "squirrel_cage":
         yield along_axis.bars(words, words.case.bearing.outer_raceway_diameter / 2)
-    if drops := words.profiles and words.profiles(words.case):
-        yield profiles.profiles(words, drops)
+    yield from _profiles(words)
     if words.case.bearing.cage.thickness:
         yield cage_pocket.cage(words)
 
@@ -43,6 +43,18 @@ def of_tapered_rollers(words: Words) -> Iterator[Drawing]:
     """Section, view along the axis, profiles."""
     yield tapered_section.section(words)
     yield along_axis.tapered_rollers(words)
+    yield from _profiles(words)
+
+
+def of_thrust_rollers(words: Words) -> Iterator[Drawing]:
+    """The same of a thrust bearing."""
+    yield thrust_section.section(words)
+    yield along_axis.thrust_rollers(words)
+    yield from _profiles(words)
+
+
+def _profiles(words: Words) -> Iterator[Drawing]:
+    """Profiles that are not straight."""
     if drops := words.profiles and words.profiles(words.case):
         yield profiles.profiles(words, drops)
 

@@ -28,9 +28,7 @@ def section(words: Words) -> Drawing:
 
     outer, inner, wall = raceway(bearing.cup_angle, 1), raceway(cone, -1), WALL * bearing.roller.diameter
     _cup(sheet, raceway(bearing.cup_angle, 1, 2 * BEYOND * half), wall)
-    depth = bearing.rib.end_radius * sin(axis - bearing.rib.angle)
-    contact = centre + half * along - depth * np.array([-sin(axis), cos(axis)])
-    _cone(sheet, raceway(cone, -1, 2 * BEYOND * half), inner[1], contact, bearing.rib.angle, wall)
+    _cone(sheet, raceway(cone, -1, 2 * BEYOND * half), wall, (axis, inner[1], centre + half * along))
     sheet.area([*outer, *inner[::-1]], "roller", fc=ELEMENT)
     line = np.array([-1.25, 1.25])[:, None] * half * along + centre
     sheet.line(line, ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
@@ -38,8 +36,6 @@ def section(words: Words) -> Drawing:
     sheet.label("bearing.cone_angle", tuple(inner[0]))
     sheet.label("bearing.pitch_diameter", tuple(centre), "Ø ")
     sheet.label("bearing.roller.diameter", tuple((outer[0] + outer[1]) / 2), "Ø ")
-    for key in ("angle", "end_radius", "friction"):
-        sheet.label(f"bearing.rib.{key}", tuple(contact), "R " if key == "end_radius" else "")
     sheet.label("bearing.roller.length", tuple((inner[0] + inner[1]) / 2))
     if case.operation.load.axial:
         start = np.array([-1.9 * half, inner[0][1] - wall / 2])
@@ -57,8 +53,12 @@ def _notes(bearing: Any) -> list[str]:
     notes = ["Dashed: schematic, the case has no dimensions of it."]
     if pair := bearing.pair:
         arrangement = pair.arrangement.replace("_", " ")
-        notes.append(f"One row of two, {arrangement}, {1e3 * pair.distance:.4g} mm apart.")
-    return [*notes, "Angles from the axis of the bearing; the rib's is that of its normal."]
+        apart = "on one circle, rollers crossed"
+        if pair.distance:
+            apart = f"{arrangement}, {1e3 * pair.distance:.4g} mm apart"
+        notes.append(f"One row of two, {apart}.")
+    of_rib = "; the rib's is that of its normal" if bearing.rib else ""
+    return [*notes, f"Angles from the axis of the bearing{of_rib}."]
 
 
 def _direction(angle: float) -> NDArray:
@@ -73,15 +73,26 @@ def _cup(sheet: Sheet, raceway: NDArray, wall: float) -> None:
     sheet.line(raceway, "outer-raceway")
 
 
-def _cone(
-    sheet: Sheet, raceway: NDArray, corner: NDArray, contact: NDArray, normal: float, wall: float
-) -> None:
-    """The inner ring below its raceway, with the rib that meets the roller's end at a contact."""
-    (left, low), _ = raceway
-    across = np.array([-sin(normal), cos(normal)])  # along the face of the rib, outwards
+def _cone(sheet: Sheet, raceway: NDArray, wall: float, end: tuple[float, NDArray, NDArray]) -> None:
+    """The inner ring below its raceway, with a rib that meets the roller's end.
+
+    Of that the angle of its axis, the corner at the raceway and the middle are given.
+    """
+    (left, low), far = raceway
+    bottom, rib, (axis, corner, middle) = low - wall, sheet.words.case.bearing.rib, end
+    if rib is None:
+        outline = [raceway[0], far, (far[0], bottom), (left, bottom)]
+        sheet.area(outline, "inner-ring", fc=INNER, **SCHEMATIC)
+        sheet.line(raceway, "inner-raceway")
+        return
+    depth = rib.end_radius * sin(axis - rib.angle)
+    contact = middle - depth * np.array([-sin(axis), cos(axis)])
+    across = np.array([-sin(rib.angle), cos(rib.angle)])  # along the face of the rib, outwards
     foot, tip = contact + across * ((corner - contact) @ across), contact + 0.25 * wall * across
-    right, bottom = tip[0] + 1.2 * wall, low - wall
+    right = tip[0] + 1.2 * wall
     outline = [raceway[0], corner, foot, tip, (right, tip[1]), (right, bottom), (left, bottom)]
     sheet.area(outline, "inner-ring", fc=INNER, **SCHEMATIC)
     sheet.line([raceway[0], corner], "inner-raceway")
     sheet.line([foot, tip], "rib")
+    for key in ("angle", "end_radius", "friction"):
+        sheet.label(f"bearing.rib.{key}", tuple(contact), "R " if key == "end_radius" else "")

@@ -206,7 +206,8 @@ def along_rollers(reader: Reader, name: str, title: str, people: str, alike: lis
         hover=f"%{{x:.1f}}°, %{{y}} {printed(length)}<br>%{{z}} {printed(unit)}<extra></extra>",
         of=of,
     )
-    y = Axis(with_unit("along the roller, +x up", length))
+    up = "+x" if reader.result.kind == "cylindrical_roller" else "large or outer end"
+    y = Axis(with_unit(f"along the roller, {up} up", length))
     return Figure(f"map-{name}".replace("_", "-"), title, AZIMUTH, y, (drawn, *_load_mark(reader)))
 
 

@@ -90,13 +90,18 @@ class InclinedRollers:
             sections=np.concatenate(
                 [
                     sections_of_row(
-                        bearing.azimuths[: bearing.rollers],
+                        azimuths,
                         bearing.pitch_diameter / 2,
                         half,
                         -side,
                         row.axial,
                     )
-                    for side, row in zip(bearing.sides, bearing.rows, strict=True)
+                    for side, row, azimuths in zip(
+                        bearing.sides,
+                        bearing.rows,
+                        np.split(bearing.azimuths, len(bearing.rows)),
+                        strict=True,
+                    )
                 ]
             ),
             shifts=_shifts(bearing),

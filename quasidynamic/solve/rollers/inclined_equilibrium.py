@@ -61,10 +61,11 @@ class _Search:
     def resting(self) -> NDArray | None:
         """Rollers (1 or Z, 3) [m] on cup and rib alone, the ring at zero; None where one is not pressed.
 
-        None between two ribs: there thrust of the ring presses rollers that its raceway does not touch.
+        None between two ribs, where thrust of the ring presses rollers that its raceway does not touch, and
+        without a rib.
         """
         model = self.model
-        if model.opposite is not None:
+        if model.opposite is not None or not model.rib_stiffness:
             return None
         ways = model.normals[[OUTER, RIB], :2]
         on_cup, on_rib = np.linalg.solve(ways.T, model.dead[:2])
