@@ -20,6 +20,7 @@ _DASHES = {"solid": "-", "dash": "--", "dot": ":", "": "none"}
 _MARKS = {"": "", "circle": "o", "circle-open": "o", "square": "s", "diamond": "D", "x": "x", "star": "*",
           "tick": "|"}  # fmt: skip
 SMALL = 0.01  # numbers along an axis that have a power of ten
+NARROW = 300.0  # ends of a logarithmic axis that has plain numbers, one over the other
 LETTERS = 13  # of a title in an inch
 
 
@@ -34,16 +35,15 @@ def picture(
     alike = [_is_shared([getattr(figure, side) for figure in figures]) for side in "xy"]
     panels = page.subplots(rows, columns, sharex=alike[0], sharey=alike[1], squeeze=False)
     grid: list[Axes] = [*panels.ravel()]
-    for axes, figure in zip(grid, figures, strict=False):
+    for number, (axes, figure) in enumerate(zip(grid, figures, strict=False)):
         _draw(axes, figure)
         if len(figures) > 1 and not _is_labelled(figure):
             axes.set_title(figure.title, fontsize=10, parse_math=False)
-        axes.tick_params(labelbottom=columns > 1 or not alike[0] or axes is grid[-1], labelleft=True)
+        lowest = not alike[0] or number + columns >= len(figures)
+        axes.tick_params(labelbottom=lowest, labelleft=True)
+        axes.xaxis.label.set_visible(lowest)
     for axes in grid[len(figures) :]:
         axes.remove()
-    if alike[0] and columns == 1:
-        for axes in grid[:-1]:
-            axes.set_xlabel("")
     letters = round(LETTERS * size[0] * columns)
     set_heading(page, title, what, letters)
     _scales(page, grid, figures)
@@ -193,7 +193,7 @@ def _shape(axes: Axes, side: str, declared: Axis, places: dict[str, int]) -> Non
     axis.set_label_text(declared.label, parse_math=False)
     if declared.scale == "log":
         axes.set(**{f"{side}scale": "log"})
-    _ticks(axis, declared, places, max(map(abs, (low, high))))
+    _ticks(axis, declared, places, (low, high))
     if declared.from_zero and low >= 0:
         axes.set(**{f"{side}lim": (0, None)})
     if declared.ends:
@@ -202,14 +202,19 @@ def _shape(axes: Axes, side: str, declared: Axis, places: dict[str, int]) -> Non
         axis.set_inverted(True)
 
 
-def _ticks(axis: Any, declared: Axis, places: dict[str, int], largest: float) -> None:
-    """Ticks of an axis: categories, those declared, or usual ones up to a largest number."""
-    from matplotlib.ticker import FixedLocator, MultipleLocator, NullLocator
+def _ticks(axis: Any, declared: Axis, places: dict[str, int], ends: tuple[float, float]) -> None:
+    """Ticks of an axis: categories, those declared, or usual ones between the ends of what is drawn."""
+    from matplotlib.ticker import FixedLocator, LogLocator, MultipleLocator, NullLocator
 
+    low, high = ends
+    narrow = declared.scale == "log" and low > high / NARROW
     if places and declared.scale != "log":
         axis.set_ticks([*places.values()], [*places], parse_math=False, fontsize=8)
-    elif declared.ticks or (declared.scale != "log" and largest > SMALL):
+    elif declared.ticks or ((declared.scale != "log" or narrow) and max(-low, high) > SMALL):
         axis.set_major_formatter(NUMBERS)
+    if narrow:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.set_minor_locator(NullLocator())
     if declared.step:
         axis.set_major_locator(MultipleLocator(declared.step))
     if declared.ticks:

@@ -194,7 +194,11 @@ def test_static_safety_and_modified_rating_life():
     [
         (PLAIN, {"operation.radial_load": "0 N"}, "without a radial load"),
         (PLAIN, {"life.loads": "rating"}, "already"),
-        (CONFIGS / "joshi2015_fourpoint.toml", {}, 'kind = "four_point_ball" has no radial ratings in ISO 281'),
+        (
+            CONFIGS / "joshi2015_fourpoint.toml",
+            {},
+            'kind = "four_point_ball" has no radial ratings in ISO 281',
+        ),
     ],
     ids=["no load", "already by rating", "four-point"],
 )

@@ -90,6 +90,16 @@ def test_page_and_picture_have_the_limit_and_the_decades_of_the_life_as_contours
     assert sorted(level for each in sets for level in each.levels) == [1.0, 10.0, 100.0]
 
 
+def test_picture_has_plain_numbers_below_the_lowest_panels_and_no_count_that_is_always_one(plane):
+    drawn = pages.picture(plane.found)
+    drawn.draw_without_rendering()
+    panels = [axes for axes in drawn.axes if axes.get_xlabel() == "radial load [N]"]
+    below = {axes.get_title(): axes.xaxis.label.get_visible() for axes in panels}
+    assert [*below.values()] == [*[False] * (len(panels) - 2), True, True]
+    assert "stable equilibria" not in below
+    assert {"5,000", "10,000"} <= {text.get_text() for text in panels[-1].get_xticklabels()}
+
+
 def test_points_that_failed_are_marked_and_counted(plane, monkeypatch):
     monkeypatch.setattr(type(plane.found), "unsolved", np.array([6, 7]))
     assert "2 points not converged" in pages.text(plane.found)

@@ -200,11 +200,12 @@ def _planes(found: SolvedMap) -> list[MapPlane]:
     """Outputs over the last two axes; of three at some values of the first one."""
     shape = found.shape
     fields = {name: found.of_points(values)[1] for name, values in found.outputs.items()}
-    fields[COUNT] = found.solved.stable_count.reshape(shape).astype(float)
-    first = next(iter(fields))
-    fields = {first: fields[first], COUNT: fields[COUNT]} | fields
+    count = found.solved.stable_count.reshape(shape)
+    if (count != 1).any():
+        first = next(iter(fields))
+        fields = {first: fields[first], COUNT: count.astype(float)} | fields
     if len(shape) == 2:
-        return [_plane(found, "", fields, _pieces(found))]
+        return [_plane(found, "", fields, _pieces(found), count)]
     pieces = _pieces(found)
     steps = np.unique(np.linspace(0, shape[0] - 1, PLANES).astype(int))
     return [
@@ -213,6 +214,7 @@ def _planes(found: SolvedMap) -> list[MapPlane]:
             f"{found.axes[0].words} {found.axes[0].numbers[step]:.6g}",
             {name: values[step] for name, values in fields.items()},
             pieces[(pieces[:, :, 0] == step).all(axis=1)][:, :, 1:],
+            count[step],
         )
         for step in steps
     ]
@@ -224,12 +226,14 @@ def _pieces(found: SolvedMap) -> NDArray:
     return np.concatenate([np.zeros((0, 2, len(found.axes))), *each])
 
 
-def _plane(found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDArray) -> MapPlane:
+def _plane(
+    found: SolvedMap, name: str, fields: dict[str, NDArray], pieces: NDArray, count: NDArray
+) -> MapPlane:
     x, y = found.axes[-2:]
     ends = np.stack([_at(axis, pieces[..., number]) for number, axis in enumerate((x, y))], axis=-1)
     logarithmic = (x.logarithmic, y.logarithmic)
     of_fields = {heading: contours(heading) for heading in fields}
-    missing = np.argwhere(fields[COUNT] == 0)
+    missing = np.argwhere(count == 0)
     unsolved = np.stack([np.array(axis.numbers)[at] for axis, at in zip((x, y), missing.T, strict=True)], -1)
     return MapPlane(
         name, (x.words, y.words), x.numbers, y.numbers, fields, ends, logarithmic, of_fields, unsolved

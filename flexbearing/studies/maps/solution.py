@@ -23,7 +23,6 @@ from quasidynamic.maps import GridPoints, MapFolds, SolvedGrid, folds, solve
 from quasidynamic.outcome.bearing_states import BearingStates
 
 ENOUGH = 64  # points for which worker processes are started at once, three seconds of a processor for two
-SECONDS_OF_END = 0.7  # of a processor, its fold and a curve of folds through it
 AT_ONCE = 128  # states whose matrices fit into the processor's cache
 OUTPUTS = (
     "cage_slip [%]", "max_roller_load [N]", "life_L10 [h]", "peak_pressure.inner [MPa]", "static_safety",
@@ -86,9 +85,6 @@ def solved_map(first: Case, axes: Sequence[MapAxis], texts: Sequence[str], repor
         whole = grid(first, axes, Logged())  # its rings tell of every point
         solved = solve(whole.points, mapped, lambda stage: report.stage(stage, None))
         report.stage("folds", None)
-        if ends := len(solved.ends[0]):
-            time = f"up to {ends * SECONDS_OF_END:.2g} s of a processor"
-            report.line(f"{ends} ends of stable states: their folds take {time}")
         ended = folds(solved, lambda stage: report.stage(stage, None))
         report.stage("outputs", None)
         outputs, error = _outputs(whole, solved, texts, mapped)
