@@ -187,9 +187,7 @@ class FourPointBallBearing:
         ball, races = self.bearing.ball.material, (self.bearing.inner, self.bearing.outer)
         pairs = (elastic_pair(ball, races[0].material), elastic_pair(ball, races[1].material))
         rolled, driven = {}, list(map(int, np.flatnonzero(sliding.sliding.driven)))
-        grooves = (
-            (lambda ball: ()) if self.contact_pressure == "hertz" else partial(self._grooves, pairs, cells)
-        )
+        grooves = partial(self._grooves, pairs, cells)
         each = partial(_refined, pairs, self.interface_compliance, model, cells, grooves)
         refined = mapped(each, [_Ball.of(sliding, one) for one in driven])
         for number, one in zip(driven, refined, strict=True):
@@ -200,8 +198,9 @@ class FourPointBallBearing:
     def _grooves(
         self, pairs: tuple[ElasticPair, ElasticPair], cells: tuple[int, int], ball: "_Ball"
     ) -> tuple[PressedGroove, ...]:
-        """Grooves that press a ball, those with a load."""
-        assert self.contact_pressure != "hertz"  # whose pressure needs no groove
+        """Grooves that press a ball, those with a load; none where the pressure is that of Hertz."""
+        if self.contact_pressure == "hertz":
+            return ()
         bearing, grooves = self.bearing, []
         for place in zip(*np.nonzero(ball.load > 0.0), strict=True):
             race, angle = place[2], float(ball.contacts.angle[place])

@@ -123,14 +123,25 @@ def _between_washers(result: Any, block: Any, lost: float) -> Iterator[str]:
 
 
 def _angular(result: Any, block: Any, lost: float) -> Iterator[str]:
-    """Balls carry on the inner ring what the ring is loaded with."""
-    load, angle, traction = block["contact_load"][0], block["contact_angle"][0], block["traction"][0]
-    size = max(np.abs(load).max(initial=0.0), 1e-12)
-    axial = (load * np.sin(angle)).sum()
-    slack = np.abs(traction).sum() + lost * size
-    if abs(axial - block["ring_load"][0]) > slack:
-        yield f"balls carry {axial:.6g} N along x, the ring {block['ring_load'][0]:.6g} N"
+    """Fast balls are in balance, and carry on the inner ring what the ring is loaded with."""
+    size = max(np.abs(block["contact_load"]).max(initial=0.0), 1e-12)
+    left = forces_left_by_balls(block)
+    if not left <= lost * size:
+        yield f"forces of balls and inner ring leave {left:.3g} N of {size:.6g} N"
     yield from _loaded_as_given(result, block, lost * size)
+
+
+def forces_left_by_balls(block: Any) -> float:
+    """Largest force left on a fast ball, or on the inner ring along x, y and z [N]."""
+    across = np.exp(
+        -1j * np.nan_to_num(block["contact_angle"])
+    )  # axial + i radial, of loads those are turned by 90 deg
+    sideways = block["traction"] + block.get("shoulder_force", 0.0)
+    inner, outer = (1j * block["contact_load"] + sideways) * across
+    azimuth = block["ball_azimuth"]
+    carried = [inner.real.sum(), inner.imag @ np.sin(azimuth), inner.imag @ np.cos(azimuth)]
+    on_balls = np.abs(inner - outer + 1j * block["centrifugal_force"]).max()
+    return float(max(on_balls, np.abs(carried - block["ring_load"][:3]).max()))
 
 
 def _loaded_as_given(result: Any, block: Any, allowed: float) -> Iterator[str]:

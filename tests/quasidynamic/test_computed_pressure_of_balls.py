@@ -1,5 +1,6 @@
 """Balls on the pressure of true arcs instead of the ellipses of Hertz."""
 
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -32,6 +33,17 @@ def along_normal(balls):
     contacts, radius = contacts_of(balls), balls.ellipse.radius[0, :, :].ravel()
     cosine = np.cos(contacts.places()[1] / radius[:, None, None])
     return (contacts.pressure * cosine).sum((1, 2)) * contacts.cell_area
+
+
+@pytest.mark.parametrize("pressure", ["offset", "hertz"])
+def test_balls_may_be_rolled_by_other_processes(pressure):
+    def elsewhere(function, balls):
+        return [pickle.loads(pickle.dumps(function))(ball) for ball in pickle.loads(pickle.dumps(balls))]
+
+    bearing = replace(slow_bearing(friction=0.1, spin="local"), contact_pressure=pressure)
+    balls = one_ball(bearing, [45.0], [20e3])
+    here, there = (bearing.roll(balls, "fastsim", CELLS, mapped=each) for each in (map, elsewhere))
+    assert there.rolled[0].extrapolated_torque == here.rolled[0].extrapolated_torque
 
 
 @COMPUTED
