@@ -5,7 +5,7 @@ import fem
 LAYERS = 2
 
 
-def refined(cage: fem.SquirrelCage, length: float, wishes: fem.MeshSize):
+def refined(cage: fem.SquirrelCage, length: float, wishes: fem.MeshSize, balls: None = None):
     """The whole solid, with layers along the sharp edges as half a pitch has them."""
     import ngsolve as ngs
     from netgen import occ

@@ -11,7 +11,7 @@ import pytest
 from tests.flexbearing.toy_studies import CASE, COLLECT
 from tests.places import CONFIGS
 
-STUDY = f'case = "{CASE}"\n[over]\n"operation.radial_load" = "2 kN .. 8 kN, 2000"\n{COLLECT}\n'
+STUDY = f'case = "{CASE}"\n[over]\n"operation.radial_load" = "2 kN .. 8 kN, 8000"\n{COLLECT}\n'
 LOOKS = 100  # at a command and its workers
 LISTENS, ACCEPTS = "0A", 0x10000  # a TCP socket in /proc/net/tcp, a Unix socket in /proc/net/unix
 
@@ -59,7 +59,7 @@ def sockets(process):
     "words",
     [
         pytest.param(["study", "study.toml", "--jobs", "2"], marks=pytest.mark.slow),
-        ["map", CASE, "--over", "operation.radial_load=2 kN..8 kN,4000", "-o", "map.csv"],
+        ["map", CASE, "--over", "operation.radial_load=2 kN..8 kN,8000", "-o", "map.csv"],
         pytest.param(
             ["run", CONFIGS / "joshi2015_fourpoint.toml", "--set", "friction.model=kalker"],
             marks=pytest.mark.slow,
