@@ -17,7 +17,8 @@ from fem.mesh.solid import MILLIMETRES
 from fem.parts.boundary_conditions import FreeMotions
 from fem.parts.material import ImpossiblePart
 from fem.section.expansion import Along, heating, rotation
-from fem.section.revolved_body import Body, edge_modes, legendre_polynomials
+from fem.section.raceway_shapes import balancing
+from fem.section.revolved_body import Body, legendre_polynomials
 from fem.section.rigid_body_modes import held_on_points, responses, rigid_motions
 
 FREE = FreeMotions(axial=True, turning=True, across=True)
@@ -69,7 +70,7 @@ def condense_body(
     body: Body,
     faces: tuple[ContactFace, ...],
     last: int,
-    raceway: tuple[int, int] = (0, 0),
+    raceway: tuple[NDArray, int] | None = None,
     pushed: str | None = None,
     variations: Mapping[str, Along] | None = None,
 ) -> CondensedBody:
@@ -81,8 +82,9 @@ def condense_body(
     Clamps hold the body against these loads. They follow its expansion by heat or rotation, as a shaft that
     goes on beyond them.
 
-    A body of which nothing is clamped is free. Harmonics of the tractions go up to `last`, >= 3; `raceway` is
-    M, the number of axial modes on the edge "raceway", and the highest harmonic there. An axial push along +x
+    A body of which nothing is clamped is free. Shapes that read an axial motion, those of a groove, hold it along
+    its axis evenly around the groove. Harmonics of the tractions go up to `last`, >= 3; `raceway` has
+    the load vectors (unknowns, M) of its shapes, and their highest harmonic. An axial push along +x
     is evenly spread over the edge `pushed`. Variations are free expansions along the axis by the name of a
     body; other bodies have none.
     Raises `ImpossiblePart` if an edge is missing, if a face is neither a cylinder nor a plane, or if a
@@ -96,25 +98,30 @@ def condense_body(
     -----
     Small displacement; the body of one material.
     """
-    axial_modes, highest = raceway
     points, face_loads = zip(*(_face_basis(body, k, face) for k, face in enumerate(faces)), strict=True)
     unknowns, stiffness = body.stiffness.unknowns, body.stiffness
-    raceway_loads = edge_modes(body, "raceway", axial_modes) if axial_modes else np.empty((unknowns, 0))
+    raceway_loads, highest = raceway or (np.empty((unknowns, 0)), last)
     G = np.hstack([*face_loads, raceway_loads])
     clamped = stiffness.clamped.any()
     free_motions = FreeMotions() if clamped else FREE
-    beyond = np.empty((0, axial_modes, axial_modes))
+    beyond = np.empty((0, *raceway_loads.shape[1:] * 2))
     if highest > last:
         beyond = responses(body, free_motions, raceway_loads, highest)[last + 1 :]
     unclamped = replace(body, stiffness=replace(stiffness, clamped=np.zeros_like(stiffness.clamped)))
     loads = _axisymmetric_loads(body, pushed, variations or {})
     expanded = held_on_points(unclamped, FREE, 0).solve(0, loads)
+    compliance, axisymmetric = responses(body, free_motions, G, last), G.T @ expanded
     motions = np.array([G.T @ rigid for rigid in rigid_motions(body)])
+    of_raceway = np.arange(G.shape[1]) >= G.shape[1] - raceway_loads.shape[1]
+    if motions[0, of_raceway, 0].any():  # shapes of a groove
+        held = balancing(motions[0, :, :1], of_raceway)
+        compliance[0] = held.T @ compliance[0] @ held
+        axisymmetric, motions[0] = held.T @ axisymmetric, held.T @ motions[0]
     return CondensedBody(
         points=FacePoints(*(np.concatenate(column) for column in zip(*points, strict=True))),
-        compliance=responses(body, free_motions, G, last),
+        compliance=compliance,
         beyond=beyond,
-        axisymmetric=G.T @ expanded,
+        axisymmetric=axisymmetric,
         motions=motions[:, :, : 0 if clamped else 2],
         unknowns=unknowns,
         elements=body.space.mesh.ne,

@@ -18,6 +18,7 @@ from fem.parts.resolution import Resolution, Shape
 from fem.parts.rings import OuterRing, RingOnShaft, require_on_track
 from fem.raceway.harmonics import highest_harmonic, resolving
 from fem.section.expansion import Along
+from fem.section.raceway_shapes import last_harmonic_of_patches, raceway_modes
 from fem.section.revolved_body import assembled
 
 LOWEST = 3  # harmonics that any fit is condensed with
@@ -102,7 +103,7 @@ class FittedBodies:
     """Ring and mate, that is shaft or housing, condensed once for all fits and loads."""
 
     part: FittedRing | HousedRing
-    length: float  # l of the loaded band [m]
+    resolution: Resolution
     ring: CondensedBody
     mate: CondensedBody
     seconds: dict[str, float] = field(compare=False)  # by stage: factor, condense
@@ -127,8 +128,13 @@ def condense_fitted(
     outside the band.
     """
     grid, shape = grid or FitGrid(), resolution.nodes_of or Shape(part=part, length=resolution.length)
-    radius, detail = shape.part.seat.raceway_diameter / 2, shape.length / resolution.axial_modes
-    last = max(grid.harmonics, highest_harmonic(radius, detail, resolution.mesh))
+    seat, detail = shape.part.seat, shape.length / resolution.axial_modes
+    radius = seat.raceway_diameter / 2
+    if seat.groove is not None:
+        last = last_harmonic_of_patches(seat, resolution)
+    else:
+        last = highest_harmonic(radius, detail, resolution.mesh)
+    last = max(grid.harmonics, last)
     return _condensed(part, resolving(resolution, radius, last), last, grid, variations)
 
 
@@ -160,10 +166,10 @@ def _condensed(
             for section, other in zip(part.sections(length), others, strict=True)
         ]
         ready = time.perf_counter()
-        raceway = resolution.axial_modes, last
+        raceway = raceway_modes(bodies[0], seat, resolution), last
         ring = condense_body(bodies[0], faces, grid.harmonics, raceway, pushed, variations)
         mate = condense_body(bodies[1], faces, grid.harmonics, variations=variations)
     done = time.perf_counter()
     _log.info("%s: %d unknowns, %.1f s", type(part).__name__, ring.unknowns + mate.unknowns, done - start)
     seconds = {"factor": ready - start, "condense": done - ready}
-    return FittedBodies(part=part, length=length, ring=ring, mate=mate, seconds=seconds)
+    return FittedBodies(part=part, resolution=resolution, ring=ring, mate=mate, seconds=seconds)

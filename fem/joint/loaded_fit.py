@@ -36,7 +36,7 @@ class LoadedFit:
     preloaded: PreloadedFit
     equations: ContactEquations
     closed: RacewayCompliance  # where no point opens or slips
-    phases: NDArray  # (Z, N + 1) exp(-i n phi) / 2 pi of the rollers
+    phases: NDArray  # (Z, N + 1, M) exp(-i n phi) / 2 pi of the rollers, as their shapes fade
 
     @property
     def interface(self) -> InterfaceStiffness:
@@ -49,20 +49,20 @@ class LoadedFit:
 
         At a kink, that of one side.
         """
-        moved, support = self._moved_by_rollers()
-        Z, M = self.deviation.shape
+        moved, by_opening = self._moved_by_rollers()
+        support, (Z, M) = 2 / self.closed.support_stiffness + by_opening, self.deviation.shape
         by_contact = _at_rollers(moved, self.phases).reshape(Z, M, Z, M).transpose(2, 3, 0, 1)
         return replace(
             self.closed,
             absolute=self.closed.absolute + by_contact,
-            translation=self.closed.translation + _translation(moved).reshape(2, Z, M),
-            support_stiffness=float(2 / (2 / self.closed.support_stiffness + support)),
+            translation=self.closed.translation + _translation(moved, self.closed).reshape(2, Z, M),
+            support_stiffness=2 / support if support else np.inf,
         )
 
     def _moved_by_rollers(self) -> tuple[NDArray, float]:
         """Raceway harmonics (Z M, N + 1, M) [m/N] by opening and slip per force; trace for resultants."""
         N, (Z, M) = self.phases.shape[1], self.deviation.shape
-        rollers = np.einsum("jn,mp->jmnp", self.phases, np.eye(M)).reshape(Z * M, N, M)
+        rollers = np.einsum("jnm,mp->jmnp", self.phases, np.eye(M)).reshape(Z * M, N, M)
         if self.preloaded.fit.bonded:
             return np.zeros_like(rollers), 0.0
         resultants = np.zeros((2, N, M), dtype=complex)
@@ -70,7 +70,7 @@ class LoadedFit:
         forces = self.interface.forces_of_raceway(np.concatenate([rollers, resultants]))
         jumps = self.equations.tangent(self.contact, forces.reshape(-1, *self.contact.jump.shape))
         moved = self.interface.raceway_harmonics(_flat(jumps))
-        return moved[:-2], float(np.trace(_translation(moved[-2:])))
+        return moved[:-2], float(np.trace(_translation(moved[-2:], self.closed)))
 
     @property
     def pressure(self) -> NDArray:
@@ -131,16 +131,18 @@ def loaded(fit: PreloadedFit, azimuths, forces, start: NDArray | None = None) ->
     Forces that grow together: slip that would turn back on the way is not followed.
     """
     phi, F = np.asarray(azimuths, dtype=float), np.asarray(forces, dtype=float)
-    _require_held(fit, phi, F[:, 0])
+    _require_held(fit, phi, F @ fit.reading)
     interface, closed = fit.interface, fit.closed.at(phi)
-    phases = np.exp(-1j * np.outer(phi, np.arange(len(interface.stiffness)))) / (2 * np.pi)
-    loads = np.einsum("jn,jm->nm", phases, F)
+    N = len(interface.stiffness)
+    waves = np.exp(-1j * np.outer(phi, np.arange(N))) / (2 * np.pi)
+    phases = waves[..., None] * fit.closed.fade[:N]
+    loads = np.einsum("jnm,jm->nm", phases, F)
     contact = fit.contact(interface, loads)
     state, steps = _contact_state(fit, contact, loads, start)
     moved = interface.raceway_harmonics(_flat(state.jump - fit.unloaded_jump(interface)))
     return LoadedFit(
         deviation=np.tensordot(closed.absolute, F, 2) + _at_rollers(moved, phases),
-        translation=np.tensordot(closed.translation, F, 2) + _translation(moved),
+        translation=np.tensordot(closed.translation, F, 2) + _translation(moved, closed),
         contact=state,
         steps=steps,
         preloaded=fit,
@@ -214,12 +216,13 @@ def _frictionless(fit: PreloadedFit, loads: NDArray) -> tuple[InterfaceState, in
 def _at_rollers(harmonics: NDArray, phases: NDArray) -> NDArray:
     """Sum of harmonics 0 .. N (..., N + 1, M) at the rollers (..., Z, M); those below 0 are conjugate."""
     weight = np.where(np.arange(phases.shape[1]) == 0, 1.0, 2.0)
-    return np.real(np.einsum("jn,...nm->...jm", 2 * np.pi * phases.conj() * weight, harmonics, optimize=True))
+    waves = 2 * np.pi * phases.conj() * weight[:, None]
+    return np.real(np.einsum("jnm,...nm->...jm", waves, harmonics, optimize=True))
 
 
-def _translation(harmonics: NDArray) -> NDArray:
-    """Mean translation along y, z (2, ...) of harmonics 0 .. N (..., N + 1, M)."""
-    first = harmonics[..., 1, 0]
+def _translation(harmonics: NDArray, closed: RacewayCompliance) -> NDArray:
+    """Mean translation along y, z (2, ...) of harmonics 0 .. N (..., N + 1, M); none is known of a groove."""
+    first = harmonics[..., 1, 0] * np.isfinite(closed.support_stiffness)
     return np.stack([-2 * np.imag(first), 2 * np.real(first)])
 
 

@@ -5,12 +5,13 @@ It is preloaded without friction; Coulomb's law starts from there.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.errors import TooFewHarmonics
 from fem.joint.fitted_ring import (
     BORE,
     SHOULDER,
@@ -24,8 +25,10 @@ from fem.joint.interface_stiffness import InterfaceStiffness, interface_stiffnes
 from fem.joint.semismooth_newton import ContactEquations, solve_contact
 from fem.parts.material import ImpossiblePart, require
 from fem.parts.resolution import Resolution
-from fem.raceway.harmonics import HarmonicCompliance, with_enough_harmonics
+from fem.parts.rings import OuterRing, RingOnShaft
+from fem.raceway.harmonics import HarmonicCompliance, Responses, needed_harmonics, with_enough_harmonics
 from fem.section.expansion import Along
+from fem.section.raceway_shapes import Raceway, raceway_compliance
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,6 +79,21 @@ class PreloadedFit:
         loads = np.array([fit.thermal_strains[0], fit.densities[0] * fit.speed**2, fit.clamping, 1.0])
         return ring.axisymmetric[L:] @ loads + ring.compliance[0, L:, :L:3] @ self.force
 
+    @property
+    def reading(self) -> NDArray:
+        """What shapes of the raceway read of a translation towards them (M,) [-]."""
+        return self.bodies.ring.motions[1, 3 * self.force.size :, 0]
+
+    @property
+    def growth(self) -> float:
+        """Mean radial part of the expansion [m], which belongs to the operating clearance."""
+        return float(self.reading @ self.expansion / (self.reading @ self.reading))
+
+    @property
+    def shape(self) -> NDArray:
+        """What the expansion (M,) [m] has beyond its mean."""
+        return self.expansion - self.growth * self.reading
+
     @cached_property
     def interface(self) -> InterfaceStiffness:
         """Ring and mate joined where they can carry forces.
@@ -95,21 +113,15 @@ class PreloadedFit:
         )
 
     @cached_property
-    def closed(self) -> HarmonicCompliance:
+    def closed(self) -> Raceway:
         """Compliance of the raceway where no point opens or slips."""
-        W = self.interface.bonded / (2 * np.pi)
-        last, bodies, seat = len(W) - 1, self.bodies, self.bodies.part.seat
-        return HarmonicCompliance(
-            harmonics=np.arange(-last, last + 1),
-            response=np.concatenate([W[:0:-1], W]),
-            radius=seat.raceway_diameter / 2,
-            length=bodies.length,
-            elastic=seat.materials["ring"],
-            bars=None,
-            unknowns=bodies.ring.unknowns + bodies.mate.unknowns,
-            elements=bodies.ring.elements + bodies.mate.elements,
-            seconds=bodies.seconds,
+        bodies = self.bodies
+        answers = Responses(
+            self.interface.bonded / (2 * np.pi),
+            bodies.ring.unknowns + bodies.mate.unknowns,
+            bodies.ring.elements + bodies.mate.elements,
         )
+        return raceway_compliance(bodies.part.seat, bodies.resolution, answers, bodies.seconds)
 
     def unloaded_jump(self, interface: InterfaceStiffness) -> NDArray:
         """Jump without rollers (P, A, D) [m]: gaps, no slip."""
@@ -137,14 +149,34 @@ def fitted(
     A thin ring bends between the azimuths of a coarse grid: its harmonics are doubled until they are enough.
     """
 
+    along = tuple((variations or {}).items())
+
     def condensed(resolution: Resolution, last: int) -> PreloadedFit:
-        bodies = condense_fitted(part, resolution, FitGrid(harmonics=last), variations)
-        ready = preloaded(bodies, fit)
-        ready.closed.require_enough()
+        _require_bending(part.seat, last)
+        ready = preloaded(_bodies(part, resolution, last, along), fit)
+        if isinstance(ready.closed, HarmonicCompliance):
+            ready.closed.require_enough()
         return ready
 
     radius = part.seat.raceway_diameter / 2
     return with_enough_harmonics(condensed, resolution, radius, FitGrid().harmonics)
+
+
+@lru_cache(maxsize=4)  # of cases that differ by their fits
+def _bodies(
+    part: FittedRing | HousedRing, resolution: Resolution, last: int, along: tuple[tuple[str, Along], ...]
+) -> FittedBodies:
+    return condense_fitted(part, resolution, FitGrid(harmonics=last), dict(along))
+
+
+def _require_bending(seat: OuterRing | RingOnShaft, last: int) -> None:
+    """Refuse too few harmonics for a ring that is thin below its groove, which patches do not show."""
+    if seat.groove is None or not isinstance(seat, OuterRing):
+        return
+    outside, bottom = seat.raceway_diameter / 2 + seat.thickness, seat.groove.bottom(1)
+    needed = needed_harmonics(outside, outside - bottom)
+    if last < needed:
+        raise TooFewHarmonics(f"a ring of {outside - bottom:.2g} m below its groove needs {needed} harmonics")
 
 
 def preloaded(bodies: FittedBodies, fit: Fit) -> PreloadedFit:

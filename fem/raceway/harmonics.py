@@ -316,6 +316,11 @@ class HarmonicCompliance:
             / np.max(np.diag(own_terms) / square)
         )
 
+    @property
+    def fade(self) -> NDArray:
+        """Share of a line that the shapes carry in each harmonic (N + 1, M) [-]: all of it."""
+        return np.ones((len(self.harmonics) // 2 + 1, self.response.shape[1]))
+
     @cached_property
     def _half_space(self) -> NDArray:
         """Harmonics of the half-space (K, M, M) [m/N]."""

@@ -19,7 +19,6 @@ from fem.parts.boundary_conditions import PlanetGear
 from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
 from fem.raceway.harmonics import HarmonicCompliance, Responses, harmonic_compliance
-from fem.raceway.stations import GrooveCompliance
 from fem.section.raceway_shapes import Raceway, raceway_compliance, raceway_modes, referred
 from fem.section.revolved_body import Body, edge_modes
 from fem.section.rigid_body_modes import body_of, responses, rigid_motions
@@ -140,7 +139,7 @@ def free_ring(part: OuterRing, resolution: Resolution, last: int, stage: Stage, 
         return Responses(W[:, loads, loads], body.stiffness.unknowns, body.space.mesh.ne)
 
     felt = raceway_compliance(part, resolution, answers(raceway), seconds)
-    fade = felt.fade[..., None] if isinstance(felt, GrooveCompliance) else 1.0
+    fade = felt.fade[..., None]
     ring = FreeRing(
         raceway=felt,
         lines=harmonic_compliance(

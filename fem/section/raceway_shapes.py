@@ -124,9 +124,14 @@ def referred(W: NDArray, rigid: NDArray, of_raceway: NDArray) -> NDArray:
     ------
     Fourier series of the answer of a body of revolution; derived here.
     """
-    own = rigid * of_raceway[:, None]
-    projection = np.eye(len(W)) - own @ np.linalg.solve(rigid.T @ own, rigid.T)
+    projection = balancing(rigid, of_raceway)
     return projection.T @ W @ projection
+
+
+def balancing(rigid: NDArray, of_raceway: NDArray) -> NDArray:
+    """The projection of `referred` (L, L) [-]: loads with the reaction on the raceway that balances them."""
+    own = rigid * of_raceway[:, None]
+    return np.eye(len(rigid)) - own @ np.linalg.solve(rigid.T @ own, rigid.T)
 
 
 def _stations(part: Part, groove: Groove, resolution: Resolution) -> Stations:

@@ -232,11 +232,10 @@ def ring_on_foundation(
     at_points = legendre.legvander(xi, ALONG - 1)  # from the modes of the outer surface to its points
     radius = part.raceway_diameter / 2 + part.thickness
     raceway = raceway_compliance(part, resolution, responses._replace(response=W[:, :M, :M]), seconds)
-    fade = raceway.fade[: N + 1, None] if isinstance(raceway, GrooveCompliance) else 1.0
     return RingOnFoundation(
         raceway=raceway,
         face=at_points @ W[: N + 1, M:, M:] @ at_points.T,
-        through=at_points @ W[: N + 1, M:, :M] * fade,
+        through=at_points @ W[: N + 1, M:, :M] * raceway.fade[: N + 1, None],
         x=xi * part.width / 2 - part.offset,
         area=2 * np.pi * radius / (2 * N + 1) * part.width * gauss / 2,
         radial=support.radial,

@@ -50,6 +50,8 @@ def why_no_solid(case: BallCase, race: Race) -> str:
         return f'outer.support = "{outer.support}" has no solid; {known}'
     if race == "outer" and outer.lifts_off:
         return "outer.bilateral = false has no solid: allowed are springs that pull as well"
+    if race == "outer" and case.in_fit:
+        return "outer.housing_clearance has no solid, only a bonded ring has one"
     on_bars = race == "outer" and outer.kind == "squirrel_cage"  # which are taken at rest
     turning = getattr(case.operation, f"{race}_speed") and not on_bars
     if turning and getattr(case.materials.ring(race), "density", None) is None:

@@ -136,7 +136,7 @@ def mean_growth(state: "PreloadedFit", hot: float) -> float:
     """Mean expansion [m] of a raceway from its cold radius, on the mesh of a ring that is `hot` over cold."""
     cold_radius = state.bodies.part.seat.raceway_diameter / 2 / hot
     twice = state.fit.thermal_strains[0] * (hot - 1) * cold_radius  # the mesh has expanded already
-    return float(state.expansion[0]) - twice
+    return state.growth - twice
 
 
 def _seat(state: "PreloadedFit") -> Seat:

@@ -62,6 +62,19 @@ def housing_support() -> Any:
     )
 
 
+def housing_clearance(negative: str = "", **limits: float) -> Any:
+    """Clearance in the housing."""
+    return key(
+        f"diametral clearance of ring and housing, cold and at rest{negative}, the same as a negative "
+        "bearing.fits.housing.interference: they touch where the ring is pressed on the bore, without "
+        "friction; without either they are bonded",
+        None,
+        example="20 um",
+        only=_held("housing"),
+        **limits,
+    )
+
+
 def line_azimuths() -> Any:
     """Lines that hold a ring."""
     return key(

@@ -58,7 +58,7 @@ def sensitivities(
             "out for derivatives."
         )
     refused = {"operation.control": case.operation.by_friction}
-    refused |= {"outer.bilateral": case.outer.lifts_off}
+    refused |= {"outer.bilateral": case.outer.lifts_off, "outer.housing_clearance": case.in_fit}
     refused |= {"friction.model": case.friction.model != "full_sliding"}
     for key, given in refused.items():
         if given:

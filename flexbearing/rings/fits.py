@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +14,7 @@ from fem.errors import NotSolved
 from flexbearing.build.expansion import hot_over_cold, material
 from flexbearing.build.growth import expansions_along, fit_resolution, mean_growth
 from flexbearing.build.ring_parts import Race
+from flexbearing.case.balls.angular_contact import FastCase
 from flexbearing.case.roller import Case
 from flexbearing.coupling import PartnerFailed
 from flexbearing.coupling.raceway_pair import linear_answer
@@ -20,7 +22,7 @@ from flexbearing.rings.raceways import compliance_figures
 
 if TYPE_CHECKING:
     from fem.joint.loaded_fit import LoadedFit
-    from fem.joint.preloaded_fit import PreloadedFit
+    from fem.joint.preloaded_fit import Fit, PreloadedFit
     from fem.raceway.compliance import RacewayCompliance
 
 
@@ -57,8 +59,7 @@ class RacewayInFit:
         start = None if self.last is None else self.last.contact.jump
         with self._named_failure():
             self.last = loaded(self.fit, self.azimuths, outward, start)
-        tangent, deviation = self.last.tangent, self.last.deviation.copy()
-        deviation[:, 1:] += self.fit.expansion[1:]
+        tangent, deviation = self.last.tangent, self.last.deviation + self.fit.shape
         by_load, translation = linear_answer(tangent, outward)
         return replace(
             tangent,
@@ -112,19 +113,40 @@ def inner_ring_in_fit(case: Case, part: fem.RingOnShaft, azimuths: NDArray) -> R
 def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) -> RacewayInFit:
     """Put the outer ring of a case in its housing, hot and turning, before rollers load it."""
     from fem.joint.fitted_ring import HousedRing
-    from fem.joint.preloaded_fit import Fit, fitted
+    from fem.joint.preloaded_fit import fitted
 
     ring = HousedRing(seat=part)
-    fit = Fit(
-        interference=case.housing_interference,
+    along = expansions_along(case, ring="outer_ring", housing="housing")
+    ready = fitted(ring, fit_resolution(case, ring), _in_housing(case), along)
+    figures = partial(_housing_figures, hot=1 + ready.fit.thermal_strains[0])
+    return RacewayInFit("outer ring in its housing", ready, azimuths, figures)
+
+
+def grooved_ring_in_housing(
+    case: FastCase, part: fem.OuterRing, resolution: fem.Resolution, azimuths: NDArray
+) -> RacewayInFit:
+    """The same of a ring with its groove, before balls load it; its mesh is that of a cold ring."""
+    from fem.joint.fitted_ring import HousedRing
+    from fem.joint.preloaded_fit import fitted
+
+    ready = fitted(HousedRing(seat=part), resolution, _in_housing(case))
+    figures = partial(_housing_figures, hot=1.0)
+    return RacewayInFit("outer ring in its housing", ready, azimuths, figures)
+
+
+def _in_housing(case: Case | FastCase) -> "Fit":
+    from fem.joint.preloaded_fit import Fit
+
+    interference = case.housing_interference
+    assert interference is not None  # or the ring would be bonded
+    ring, housing = (getattr(material(case, part), "density", None) for part in ("outer_ring", "housing"))
+    return Fit(
+        interference=interference,
         friction=0.0,
         thermal_strains=(hot_over_cold(case, "outer_ring") - 1, hot_over_cold(case, "housing") - 1),
-        densities=(material(case, "outer_ring").density, material(case, "housing").density),
+        densities=(ring or 0.0, housing or 0.0),  # of what turns it is known, checked on reading
         speed=case.operation.outer_speed,
     )
-    along = expansions_along(case, ring="outer_ring", housing="housing")
-    ready = fitted(ring, fit_resolution(case, ring), fit, along)
-    return RacewayInFit("outer ring in its housing", ready, azimuths, _housing_figures)
 
 
 def _shaft_fit_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[str, object]:
@@ -142,11 +164,12 @@ def _shaft_fit_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[
     return {"fit": figures}
 
 
-def _housing_figures(fit: "PreloadedFit", loaded: "LoadedFit | None") -> dict[str, object]:
+def _housing_figures(fit: "PreloadedFit", loaded: "LoadedFit | None", hot: float) -> dict[str, object]:
+    """Of a ring whose mesh is `hot` over cold."""
     figures: dict[str, object] = {
         "mean_gap_unloaded_um": 1e6 * float(fit.gap.mean()),
         "mean_pressure_unloaded_MPa": 1e-6 * fit.mean_pressure,
-        "raceway_growth_um": 1e6 * mean_growth(fit, 1 + fit.fit.thermal_strains[0]),
+        "raceway_growth_um": 1e6 * mean_growth(fit, hot),
     }
     if loaded is not None:
         figures |= {

@@ -168,7 +168,7 @@ def groove_pair(case: FastCase, azimuths: NDArray, report: Report) -> GroovePair
     known = next(each for each in angles if each)
     raceways = RacewayPair(*(_raceway(case, shape, azimuths, report) for shape in shapes))
     elastic = None
-    if not case.outer.lifts_off:
+    if not case.lifts_off:
         pair = raceways.linearised(np.zeros((2, len(azimuths), len(known))))
         both = zip(shapes, pair.raceways, strict=True)
         grooves = (_groove(case, shape, at) if shape and at else None for shape, at in both)
@@ -190,6 +190,12 @@ def _raceway(case: FastCase, shape: GrooveShape | None, azimuths: NDArray, repor
     if shape is None:
         return RigidRaceway(azimuths)
     with _named(case, shape.race):
+        if shape.race == "outer" and case.in_fit:
+            from flexbearing.rings.fits import grooved_ring_in_housing
+
+            report.stage("outer ring in its housing", None)
+            part, _, resolution = arguments_of(case, shape)
+            return grooved_ring_in_housing(case, part, resolution, azimuths)
         ring = compliance(case, shape, report)
         outer, support = case.outer, case.outer.support
         on_lines = outer.kind == "ring" and support == "lines"

@@ -15,7 +15,7 @@ from fem.joint.fitted_ring import BORE, SHOULDER, FitGrid, FittedBodies, FittedR
 from fem.joint.loaded_fit import loaded
 from fem.joint.preloaded_fit import Fit, preloaded
 from fem.mesh.axial_section import AxialSection
-from fem.section.revolved_body import assembled
+from fem.section.revolved_body import assembled, edge_modes
 from tests.fem.condensed import by_harmonics
 from tests.fem.test_parts import SHAFT, STEEL
 
@@ -73,8 +73,8 @@ def thin():
     ring = assembled([tube(29.8e-3, 32.5e-3, 1e-3, "ring", "inside")], {"ring": STEEL}, mesh)
     shaft = assembled([tube(25.8e-3, 29.8e-3, 1e-3, "shaft", "outside")], {"shaft": HOT}, mesh)
     return FittedBodies(
-        part=PLAIN, length=1e-3, seconds={},
-        ring=condense_body(ring, faces, 3, (1, 3)), mate=condense_body(shaft, faces, 3),
+        part=PLAIN, resolution=replace(BAND, length=1e-3), seconds={},
+        ring=condense_body(ring, faces, 3, (edge_modes(ring, "raceway", 1), 3)), mate=condense_body(shaft, faces, 3),
     )  # fmt: skip
 
 

@@ -384,6 +384,24 @@ class FastCase(MountedCase):
         """Whether both rings are rigid."""
         return self.outer.kind == self.inner.kind == "rigid"
 
+    @property
+    def in_fit(self) -> bool:
+        """Whether an elastic outer ring touches its housing only where it is pressed on it."""
+        housed = self.outer.kind == "ring" and self.outer.support == "housing"
+        return housed and self.housing_interference is not None
+
+    @property
+    def lifts_off(self) -> bool:
+        """Whether what holds the outer ring only pushes, so that its raceway is not linear."""
+        return self.outer.lifts_off or self.in_fit
+
+    @property
+    def housing_interference(self) -> float | None:
+        """Diametral interference of outer ring and housing, cold [m]; None where none is given."""
+        if self.outer.housing_clearance is not None:
+            return -self.outer.housing_clearance
+        return super().housing_interference
+
     @model_validator(mode="after")
     def _elastic_rings_are_known(self) -> Self:
         if self.outer.kind != "rigid":
@@ -394,12 +412,29 @@ class FastCase(MountedCase):
             if self.outer.kind == "step" and self.accuracy.target is not None:
                 allowed = 'left out for outer.kind = "step", whose elements have no levels'
                 raise impossible("accuracy.target", allowed)
+            self._require_fit()
         if self.inner.kind == "ring_on_shaft":
             require_shoulder("inner", self.bearing.inner)
         housed = self.outer.kind != "rigid" and self.outer.support == "housing"
         self.require_ring_materials(housed, self.inner.kind == "ring_on_shaft")
         require_room(self)
         return self
+
+    def _require_fit(self) -> None:
+        """Raise unless the fit in an elastic housing is given once, with what widens it."""
+        clearance, fits, operation = self.outer.housing_clearance, self.bearing.fits, self.operation
+        if clearance is not None and fits:
+            if fits.housing:
+                allowed = "left out: bearing.fits.housing.interference says the same with the opposite sign"
+                raise impossible("outer.housing_clearance", allowed)
+            if clearance < 0:
+                allowed = "zero or more: beside [bearing.fits] bearing.fits.housing.interference is needed"
+                raise impossible("outer.housing_clearance", allowed)
+            if operation.temperatures and operation.temperatures.housing is None:
+                raise needed(["operation.temperatures.housing"], "outer.housing_clearance")
+        ring = self.materials.ring("outer")
+        if self.in_fit and operation.outer_speed and getattr(ring, "density", None) is None:
+            raise needed(["materials.outer_ring.density"], "an outer ring that turns in its housing")
 
     @model_validator(mode="after")
     def _oil_moves_the_balls(self) -> Self:

@@ -48,9 +48,9 @@ class BallOuter(Section):
     )
     support: Literal["side", "seat", "foundation", "housing", "lines", "planet"] = key(
         "what holds the ring: its side face at the end of x; a rigid seat or springs per area on its outer "
-        "surface, which push and pull; a housing bonded to it; frictionless lines on that surface; or "
-        "nothing, as rim of a planet gear between its tooth forces. Lines and teeth leave the ring free "
-        "along its axis: it stays where its groove does in the mean",
+        "surface, which push and pull; a housing; frictionless lines on that surface; or "
+        "nothing, as rim of a planet gear between its tooth forces. Lines, teeth and a housing that is not "
+        "bonded leave the ring free along its axis: it stays where its groove does in the mean",
         "side",
         only=RING,
     )
@@ -60,6 +60,7 @@ class BallOuter(Section):
     housing_thickness: Length | None = held_ring.housing_thickness()
     housing_width: Length | None = held_ring.housing_width()
     housing_support: Literal["seat", "side"] = held_ring.housing_support()
+    housing_clearance: Length | None = held_ring.housing_clearance(" (negative: an interference)")
     bilateral: bool | None = key(
         "whether lines or springs also pull; without it springs do and lines do not. The ring lifts off what "
         "only pushes",

@@ -14,7 +14,7 @@ from flexbearing.case.mounted import (
     housing_material,
     shaft_material,
 )
-from flexbearing.case.quantity import Angle, Pressure, Section, Temperature, impossible, key
+from flexbearing.case.quantity import GIVEN, Angle, Pressure, Section, Temperature, impossible, key
 
 
 class SeatMaterial(WarmMaterial):
@@ -37,6 +37,12 @@ class BallTemperatures(PartTemperatures):
     """Temperatures of the parts."""
 
     ball: Temperature = key("of the balls", gt=0)
+    housing: Temperature | None = key(
+        "of the housing; needed for [bearing.fits.housing] and outer.housing_clearance",
+        None,
+        gt=0,
+        only=(HOUSED, {"outer.housing_clearance": GIVEN}),
+    )
 
 
 class MountedBearing(FittedBearing, BallBearing):

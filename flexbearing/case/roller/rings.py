@@ -61,15 +61,7 @@ class Outer(Section):
     housing_thickness: Length | None = held_ring.housing_thickness()
     housing_width: Length | None = held_ring.housing_width()
     housing_support: Literal["seat", "side"] = held_ring.housing_support()
-    housing_clearance: Length | None = key(
-        "diametral clearance of ring and housing, cold and at rest, the same as a negative "
-        "bearing.fits.housing.interference: they touch where the ring is pressed on the bore, without "
-        "friction; without either they are bonded",
-        None,
-        example="20 um",
-        ge=0,
-        only={**_RING, "support": ("housing",)},
-    )
+    housing_clearance: Length | None = held_ring.housing_clearance(ge=0)
     bilateral: bool = key(
         "whether lines or radial springs of the foundation also pull; without it they only push, and the "
         "ring lifts off them",
