@@ -82,8 +82,8 @@ def condense_body(
     Clamps hold the body against these loads. They follow its expansion by heat or rotation, as a shaft that
     goes on beyond them.
 
-    A body of which nothing is clamped is free. Shapes that read an axial motion, those of a groove, hold it along
-    its axis evenly around the groove. Harmonics of the tractions go up to `last`, >= 3; `raceway` has
+    A body of which nothing is clamped is free. Shapes that read an axial motion, those of a groove, hold it
+    along its axis evenly around the groove. Harmonics of the tractions go up to `last`, >= 3; `raceway` has
     the load vectors (unknowns, M) of its shapes, and their highest harmonic. An axial push along +x
     is evenly spread over the edge `pushed`. Variations are free expansions along the axis by the name of a
     body; other bodies have none.

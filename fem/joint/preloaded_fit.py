@@ -11,7 +11,7 @@ from math import isfinite
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.errors import TooFewHarmonics
+from fem.errors import NotSolved
 from fem.joint.fitted_ring import (
     BORE,
     SHOULDER,
@@ -23,10 +23,17 @@ from fem.joint.fitted_ring import (
 )  # fmt: skip
 from fem.joint.interface_stiffness import InterfaceStiffness, interface_stiffness
 from fem.joint.semismooth_newton import ContactEquations, solve_contact
-from fem.parts.material import ImpossiblePart, require
+from fem.parts.groove import Groove
+from fem.parts.material import ImpossiblePart, in_mm, require
 from fem.parts.resolution import Resolution
-from fem.parts.rings import OuterRing, RingOnShaft
-from fem.raceway.harmonics import HarmonicCompliance, Responses, needed_harmonics, with_enough_harmonics
+from fem.parts.rings import OuterRing
+from fem.raceway.harmonics import (
+    DOUBLINGS,
+    HarmonicCompliance,
+    Responses,
+    needed_harmonics,
+    with_enough_harmonics,
+)
 from fem.section.expansion import Along
 from fem.section.raceway_shapes import Raceway, raceway_compliance
 
@@ -146,20 +153,20 @@ def fitted(
 ) -> PreloadedFit:
     """Condense ring and mate as `condense_fitted` and put them together as `preloaded`.
 
-    A thin ring bends between the azimuths of a coarse grid: its harmonics are doubled until they are enough.
+    A thin ring bends between the azimuths of a coarse grid: its harmonics are doubled until they are enough,
+    or are as many as what is left of it below a groove needs.
     """
-
-    along = tuple((variations or {}).items())
+    seat, along = part.seat, tuple((variations or {}).items())
 
     def condensed(resolution: Resolution, last: int) -> PreloadedFit:
-        _require_bending(part.seat, last)
         ready = preloaded(_bodies(part, resolution, last, along), fit)
         if isinstance(ready.closed, HarmonicCompliance):
             ready.closed.require_enough()
         return ready
 
-    radius = part.seat.raceway_diameter / 2
-    return with_enough_harmonics(condensed, resolution, radius, FitGrid().harmonics)
+    if isinstance(seat, OuterRing) and seat.groove:
+        return condensed(resolution, _harmonics_below(seat, seat.groove))
+    return with_enough_harmonics(condensed, resolution, seat.raceway_diameter / 2, FitGrid().harmonics)
 
 
 @lru_cache(maxsize=4)  # of cases that differ by their fits
@@ -169,14 +176,16 @@ def _bodies(
     return condense_fitted(part, resolution, FitGrid(harmonics=last), dict(along))
 
 
-def _require_bending(seat: OuterRing | RingOnShaft, last: int) -> None:
-    """Refuse too few harmonics for a ring that is thin below its groove, which patches do not show."""
-    if seat.groove is None or not isinstance(seat, OuterRing):
-        return
-    outside, bottom = seat.raceway_diameter / 2 + seat.thickness, seat.groove.bottom(1)
-    needed = needed_harmonics(outside, outside - bottom)
-    if last < needed:
-        raise TooFewHarmonics(f"a ring of {outside - bottom:.2g} m below its groove needs {needed} harmonics")
+def _harmonics_below(seat: OuterRing, groove: Groove) -> int:
+    """Harmonics that the thickness below a groove resolves, as the usual ones or more."""
+    outside, usual = seat.raceway_diameter / 2 + seat.thickness, FitGrid().harmonics
+    below, most = outside - groove.bottom(1), usual * 2**DOUBLINGS
+    needed = max(usual, needed_harmonics(outside, below))
+    if needed > most:
+        raise NotSolved(
+            f"a fit of a ring of {in_mm(below)} below its groove needs {needed} harmonics, allowed are {most}"
+        )
+    return needed
 
 
 def preloaded(bodies: FittedBodies, fit: Fit) -> PreloadedFit:

@@ -117,7 +117,7 @@ def outer_ring_in_housing(case: Case, part: fem.OuterRing, azimuths: NDArray) ->
 
     ring = HousedRing(seat=part)
     along = expansions_along(case, ring="outer_ring", housing="housing")
-    ready = fitted(ring, fit_resolution(case, ring), _in_housing(case), along)
+    ready = fitted(ring, fit_resolution(case, ring), in_housing(case), along)
     figures = partial(_housing_figures, hot=1 + ready.fit.thermal_strains[0])
     return RacewayInFit("outer ring in its housing", ready, azimuths, figures)
 
@@ -129,12 +129,13 @@ def grooved_ring_in_housing(
     from fem.joint.fitted_ring import HousedRing
     from fem.joint.preloaded_fit import fitted
 
-    ready = fitted(HousedRing(seat=part), resolution, _in_housing(case))
+    ready = fitted(HousedRing(seat=part), resolution, in_housing(case))
     figures = partial(_housing_figures, hot=1.0)
     return RacewayInFit("outer ring in its housing", ready, azimuths, figures)
 
 
-def _in_housing(case: Case | FastCase) -> "Fit":
+def in_housing(case: Case | FastCase) -> "Fit":
+    """How housing and outer ring of a case hold each other, hot and turning."""
     from fem.joint.preloaded_fit import Fit
 
     interference = case.housing_interference

@@ -34,7 +34,7 @@ from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGro
 from quasidynamic.parts.angular_contact_bearing import azimuths_of_row
 
 if TYPE_CHECKING:
-    pass
+    from fem.joint.preloaded_fit import Fit
 
 MESH = 0.25  # largest element over the ball diameter
 FINER, FINER_IN_SPACE = 6.0, 3.0  # order of the elements times width of a patch, over those on the groove
@@ -174,6 +174,15 @@ def groove_pair(case: FastCase, azimuths: NDArray, report: Report) -> GroovePair
         grooves = (_groove(case, shape, at) if shape and at else None for shape, at in both)
         elastic = ElasticGrooves(*grooves)
     return GroovePair(raceways, np.array([each or known for each in angles]), elastic)
+
+
+def fit_of(case: FastCase) -> "Fit | None":
+    """What holds an outer ring that is not bonded to its housing; None of others."""
+    if not case.in_fit:
+        return None
+    from flexbearing.rings.fits import in_housing  # a case is checked without what knows rollers
+
+    return in_housing(case)
 
 
 def require_held(case: FastCase, load: complex) -> None:

@@ -302,7 +302,7 @@ def _grooves(
         azimuths = each[0].bearing.azimuths
         key = named(case, partial(grooves.parts, case))
         if not isinstance(key, Exception):
-            key = key, azimuths.tobytes()
+            key = key, grooves.fit_of(case), azimuths.tobytes()
         if key not in known:
             pair = partial(grooves.groove_pair, case, azimuths, report)
             known[key] = key if isinstance(key, Exception) else named(case, pair)

@@ -93,7 +93,8 @@ def _keep(ring: Ring, cache: str | None, *, here: bool) -> None:
         if isinstance(case, FastCase | FourPointCase):
             from flexbearing.rings.grooves import compliance, shape_of
 
-            if shape := shape_of(case, race):
+            in_fit = isinstance(case, FastCase) and case.in_fit and race == "outer"
+            if (shape := shape_of(case, race)) and not in_fit:
                 compliance(case, shape, Logged())
         elif isinstance(case, Case):
             _keep_raceway(case, race, here=here)

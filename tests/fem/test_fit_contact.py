@@ -74,7 +74,8 @@ def thin():
     shaft = assembled([tube(25.8e-3, 29.8e-3, 1e-3, "shaft", "outside")], {"shaft": HOT}, mesh)
     return FittedBodies(
         part=PLAIN, resolution=replace(BAND, length=1e-3), seconds={},
-        ring=condense_body(ring, faces, 3, (edge_modes(ring, "raceway", 1), 3)), mate=condense_body(shaft, faces, 3),
+        ring=condense_body(ring, faces, 3, (edge_modes(ring, "raceway", 1), 3)),
+        mate=condense_body(shaft, faces, 3),
     )  # fmt: skip
 
 

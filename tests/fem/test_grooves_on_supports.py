@@ -47,12 +47,14 @@ def ring(support, groove=GROOVE):
     )  # fmt: skip
 
 
-def condensed(support, groove=GROOVE):
+def resolved(groove=GROOVE):
     mesh = MeshSize(order=4, size=3e-3, raceway_size=4 * PATCH / 6)
     stations = Stations(angles=ANGLES, width=PATCH) if groove else None
-    length = GROOVE.width(LAND, 1)
-    resolution = Resolution(length=length, axial_modes=2, mesh_size=mesh, stations=stations)
-    return condense_in_process(ring(support, groove), HARMONICS, resolution)
+    return Resolution(length=GROOVE.width(LAND, 1), axial_modes=2, mesh_size=mesh, stations=stations)
+
+
+def condensed(support, groove=GROOVE):
+    return condense_in_process(ring(support, groove), HARMONICS, resolved(groove))
 
 
 @pytest.fixture(scope="module")

@@ -14,11 +14,12 @@ from flexbearing.case import BadCase
 from flexbearing.case.read import written
 from flexbearing.coupled.balls import BallState, equilibrium
 from flexbearing.derivatives.balls import sensitivities
+from flexbearing.families import FAMILIES
 from flexbearing.progress import Silent
 from flexbearing.report.output import text
 from flexbearing.rings.grooves import elastic_grooves, groove_pair, parts
 from flexbearing.runs.angular_contact import bearing, operation
-from quasidynamic.balance.balls.elastic_grooves import ElasticGroove
+from quasidynamic.balance.balls.elastic_grooves import ElasticGroove, ElasticGrooves
 from tests.fem import test_ring_on_matrix as matrices, written_matrices as write
 from tests.flexbearing.noted import codes
 
@@ -37,6 +38,15 @@ SPRINGS = RING | {
     "outer.support": "foundation", "outer.bilateral": False,
     **{f"outer.foundation_{way}": "1000 N/mm^3" for way in ("radial", "axial", "tangential")},
 }  # fmt: skip
+FITTED = {
+    "bearing.fits": {
+        "bore": "45 mm", "outer_diameter": "85 mm", "shaft_interference": "5 um", "cold_clearance": "25 um",
+        "housing": {"interference": "-20 um", "diameter": "105 mm"},
+    },
+    "bearing.clearance": None, "materials.shaft": "structural steel",
+    "materials.inner_ring": "100Cr6", "materials.outer_ring": "100Cr6",
+}  # fmt: skip
+BARE = {name: value for name, value in FITTED["bearing.fits"].items() if name != "housing"}
 ALL_ROUND = [f"{20 * k} deg" for k in range(18)]
 
 
@@ -206,3 +216,101 @@ def test_balls_beyond_the_stations_press_supports_as_they_press_their_groove():
         )
         pairs = np.stack([vectors.real, vectors.imag], -1)
         assert forces[race] == approx((groove.shares(at[race]).by_vector @ pairs[..., None])[..., 0])
+
+
+HOUSED = RING | {
+    "outer.thickness": "6 mm", "outer.support": "housing", "outer.housing_thickness": "10 mm",
+    "outer.housing_width": "19 mm",
+    "materials.housing": "grey cast iron", "outer.housing_clearance": "20 um",
+}  # fmt: skip
+
+
+def test_a_ring_touches_its_housing_where_balls_press_it():
+    """The same loads follow from the deviations of the groove alone; a tight ring is pressed all around."""
+    case, model, load, azimuths = built(HOUSED | {"operation.load.axial": "1 kN"})
+    grooves = groove_pair(case, azimuths, Silent())
+    state = equilibrium(case.coupling, model, load, grooves)
+    found = BallState.of(state, grooves.angles)
+    moved = grooves.raceways.linearised(found.forces).deviation(found.forces)[1]
+    as_moved = ElasticGroove(grooves.angles[1], np.zeros(moved.shape * 2), moved)
+    assert model.solve(load, ElasticGrooves(None, as_moved)).loads == approx(state.loads, rel=1e-9, abs=1e-6)
+    figures = grooves.raceways.outer.figures()["housing"]
+    assert figures["mean_gap_unloaded_um"] == approx(10.0)
+    assert 30 < figures["touching_angle_deg"] < 180
+    tight = flexbearing.run(CASE, HOUSED | {"outer.housing_clearance": "-40 um"})
+    assert tight.attributes["structure"]["outer"]["housing"]["open_share"] == 0.0
+    bonded = flexbearing.run(CASE, HOUSED | {"outer.housing_clearance": None}).flexible["contact_load"]
+    tight, loose = tight.flexible["contact_load"].max(), state.loads.max()
+    assert abs(tight / bonded.max() - 1) < 0.01 < loose / bonded.max() - 1
+
+
+def test_clearance_in_a_housing_moves_the_inner_ring_and_stays_in_the_tangent():
+    """By half of it and by what the ring bends into it; stiffness is that of differences of the load."""
+    place, stiffness = {}, 0.0
+    for load in (7999.0, 8000.0, 8001.0):
+        state = flexbearing.run(CASE, HOUSED | {"operation.load.radial_z": f"{load} N"}).flexible
+        place[load] = state["ring_displacement"][2]
+        if load == 8000.0:
+            stiffness = state["stiffness_matrix"][2, 2]
+    assert 2.0 / (place[8001.0] - place[7999.0]) == approx(stiffness, rel=1e-3)
+    filled = flexbearing.run(CASE, HOUSED | {"outer.housing_clearance": "0 um"}).flexible
+    loose = flexbearing.run(CASE, HOUSED).flexible
+    assert 10e-6 < loose["ring_displacement"][2] - filled["ring_displacement"][2] < 13e-6
+
+
+@pytest.mark.parametrize("clearance", ["-5 um", "20 um"])
+def test_a_load_turned_in_a_housing_turns_the_answer(clearance):
+    """As far as the grid of the fit is round."""
+    pitch = radians(40.0)
+    turned = {
+        "operation.load.radial_z": f"{8900 * cos(pitch)!r} N",
+        "operation.load.radial_y": f"{8900 * sin(pitch)!r} N",
+    }  # fmt: skip
+    given = HOUSED | {"outer.housing_clearance": clearance}
+    here, there = (flexbearing.run(CASE, given | each).flexible["contact_load"] for each in ({}, turned))
+    assert here[:, 1:] == approx(here[:, :0:-1], rel=1e-8, abs=1e-6)
+    assert np.roll(here, 1, axis=1) == approx(there, rel=0, abs=1e-3 * here.max())
+
+
+def test_rows_with_other_clearances_in_their_housing_are_those_of_runs():
+    """Bodies are condensed once; a fit is that of its row."""
+    name = "contact_load_range.outer.largest"
+    given = [HOUSED | {"outer.housing_clearance": f"{clearance} um"} for clearance in (20, 50, 20)]
+    found = FAMILIES["deep_groove_ball"].rows()([read_case(CASE, each) for each in given], [name])
+    for row, each in zip(found, given, strict=True):
+        load = flexbearing.run(CASE, each).flexible["contact_load"][1].max()
+        assert row.numbers[name] == approx(load, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"outputs.probes.azimuths": ["0 deg"]}, "outer.housing_clearance has no solid, only a bonded ring"),
+        ({"outer.support": "seat"}, "housing_clearance"),
+        (FITTED, "bearing.fits.housing.interference says the same with the opposite sign"),
+        (
+            FITTED | {"bearing.fits": BARE, "outer.housing_clearance": "-5 um"},
+            "zero or more: beside .bearing.fits. bearing.fits.housing.interference is needed",
+        ),
+        ({"materials.ball": {"youngs_modulus": "320 GPa", "poisson_ratio": 0.26, "density": "3200 kg/m^3"},
+          "operation.outer_speed": "100 rpm",
+          "materials.outer_ring": {"youngs_modulus": "208 GPa", "poisson_ratio": 0.3}},
+         "density is missing: an outer ring that turns in its housing needs it"),
+    ],
+)  # fmt: skip
+def test_fits_in_housings_that_cannot_be_are_refused(changes, words):
+    with pytest.raises(BadCase, match=words):
+        check(CASE, HOUSED | changes)
+
+
+def test_derivatives_in_a_fit_are_refused():
+    with pytest.raises(BadCase, match=r"outer\.housing_clearance is found by separate iterations"):
+        sensitivities(read_case(CASE, HOUSED))
+
+
+def test_a_fit_of_the_case_is_that_of_the_housing():
+    """The interference by [bearing.fits] and by outer.housing_clearance is one."""
+    fitted = HOUSED | {"outer.housing_clearance": None} | FITTED
+    loose, clear = (read_case(CASE, each) for each in (fitted, HOUSED))
+    assert (loose.in_fit, loose.housing_interference) == (clear.in_fit, clear.housing_interference)
+    assert not read_case(CASE, HOUSED | {"outer.housing_clearance": None}).in_fit
