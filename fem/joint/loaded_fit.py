@@ -158,7 +158,7 @@ def _require_held(fit: PreloadedFit, phi: NDArray, forces: NDArray) -> None:
     if not (fit.fit.bonded or fit.force.any() or resultant > BALANCED * np.abs(forces).sum()):
         raise NotSolved(
             f"nothing holds the ring in its fit: a clearance of {fit.gap.min():.3g} m is left, and the "
-            f"rollers press with a resultant of {resultant:.3g} N"
+            f"rolling elements press with a resultant of {resultant:.3g} N"
         )
 
 

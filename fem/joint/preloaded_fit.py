@@ -6,7 +6,7 @@ It is preloaded without friction; Coulomb's law starts from there.
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from math import isfinite
+from math import ceil, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,11 +31,12 @@ from fem.raceway.harmonics import (
     DOUBLINGS,
     HarmonicCompliance,
     Responses,
-    needed_harmonics,
     with_enough_harmonics,
 )
 from fem.section.expansion import Along
 from fem.section.raceway_shapes import Raceway, raceway_compliance
+
+BELOW = 3.0  # harmonics of a fit over R/t below a groove: 6 change loads by 4e-5, the largest pressure by 4 %
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -180,7 +181,7 @@ def _harmonics_below(seat: OuterRing, groove: Groove) -> int:
     """Harmonics that the thickness below a groove resolves, as the usual ones or more."""
     outside, usual = seat.raceway_diameter / 2 + seat.thickness, FitGrid().harmonics
     below, most = outside - groove.bottom(1), usual * 2**DOUBLINGS
-    needed = max(usual, needed_harmonics(outside, below))
+    needed = max(usual, ceil(BELOW * outside / below))
     if needed > most:
         raise NotSolved(
             f"a fit of a ring of {in_mm(below)} below its groove needs {needed} harmonics, allowed are {most}"

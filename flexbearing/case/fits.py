@@ -47,8 +47,8 @@ class HousingFit(Section):
     """How tight the outer ring is in its housing."""
 
     interference: Length | None = key(
-        "diametral interference of outer ring and housing, cold; negative is a loose fit; or by "
-        "tolerance_class",
+        "diametral interference of outer ring and housing, cold; negative is a loose fit; an elastic ring of "
+        "fast balls touches its housing where it is pressed on it, without friction; or by tolerance_class",
         None,
         example="-10 um",
     )

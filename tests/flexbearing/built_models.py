@@ -176,5 +176,5 @@ def _angular(case):
         "law": model.lubrication and model.lubrication.traction(**CONTACT),
         "roughness": roughness(case),
         "viscosity": None if case.lubricant is None else kinematic_viscosity(case.lubricant)[0],
-        "probes": _probes(case),
-    }
+        "probes": _probes(case), "fit": grooves.fit_of(case),
+    }  # fmt: skip

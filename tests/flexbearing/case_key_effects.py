@@ -533,6 +533,7 @@ ROWS = (
     ("{fast,deep groove}, in housing", "outer.", {"housing_width": "36 mm"}, "outer.part.support.width"),
     ("{fast,deep groove}, in housing", "outer.", {"housing_support": "side"},
      "outer.part.support.support.is"),
+    ("{fast,deep groove}, in a loose housing", "outer.", {"housing_clearance": "20 um"}, "fit.interference"),
     ("{fast,deep groove}, in housing", "materials.housing.", {"youngs_modulus": "200 GPa"},
      "outer.part.support.elastic."),
     ("{fast,deep groove}, on lines", "outer.", {"bilateral": True}, "outer.part.support.pushing"),

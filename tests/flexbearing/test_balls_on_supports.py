@@ -244,6 +244,36 @@ def test_a_ring_touches_its_housing_where_balls_press_it():
     assert abs(tight / bonded.max() - 1) < 0.01 < loose / bonded.max() - 1
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("case", [CASE, "configs/harris218.toml"], ids=["deep groove", "angular contact"])
+@pytest.mark.parametrize("seed", range(10))
+def test_random_fits_are_solved_by_newton(case, seed):
+    """Loads over two decades, clearances of -20 to 50 um; forces are summed again."""
+    draw = np.random.default_rng(seed)
+    scale, thick = 10 ** draw.uniform(-2, 0), draw.uniform(0.6, 1.6)
+    along, across, up = 20e3 * scale * np.array([draw.choice([0.0, 0.3]), draw.uniform(-0.5, 0.5), 1.0])
+    changes = HOUSED | {"outer.thickness": f"{3.65 * thick:.3f} mm"}
+    if case != CASE:
+        along, up = along + 15e3 * scale, draw.uniform(0.2, 1.0) * up
+        changes |= {
+            "outer.thickness": f"{8 * thick:.3f} mm", "outer.width": "30 mm", "outer.housing_width": "30 mm",
+            "bearing.outer.shoulder": "5 mm", "operation.inner_speed": f"{draw.choice([500, 5000])} rpm",
+        }  # fmt: skip
+    result = flexbearing.run(
+        case,
+        changes
+        | {"outer.housing_clearance": f"{draw.uniform(-20, 50):.2f} um", "operation.load.axial": f"{along} N",
+           "operation.load.radial_y": f"{across} N", "operation.load.radial_z": f"{up} N"},
+    )  # fmt: skip
+    assert result.attributes["attempts"]["newton"]["status"] == "converged"
+    loads, angles = (result.flexible[name][0] for name in ("contact_load", "contact_angle"))
+    phi = bearing(read_case(case)).bearing.azimuths
+    sums = loads @ np.stack(
+        [np.sin(angles), np.cos(angles) * np.sin(phi), np.cos(angles) * np.cos(phi)], axis=1
+    )
+    assert np.abs(sums) == approx(np.abs([along, across, up]), rel=0, abs=1e-9 * loads.max())
+
+
 def test_clearance_in_a_housing_moves_the_inner_ring_and_stays_in_the_tangent():
     """By half of it and by what the ring bends into it; stiffness is that of differences of the load."""
     place, stiffness = {}, 0.0

@@ -122,6 +122,10 @@ _HOLDS = {
         "outer.support": "housing", "outer.housing_thickness": "10 mm", "outer.housing_width": "35 mm",
         "materials.housing": _STEEL,
     },
+    "in a loose housing": {
+        "outer.support": "housing", "outer.housing_thickness": "10 mm", "outer.housing_width": "35 mm",
+        "materials.housing": _STEEL, "outer.housing_clearance": "10 um",
+    },
     "on lines": {"outer.support": "lines", "outer.line_azimuths": ["0 deg", "120 deg", "240 deg"]},
     "in a planet": {
         "outer.support": "planet", "outer.tooth_azimuths": ["90 deg", "270 deg"],

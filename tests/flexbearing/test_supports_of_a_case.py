@@ -193,7 +193,7 @@ def along(part, *temperatures):
 
 def test_figures_of_a_shaft_fit_hold_each_number_under_its_name():
     fit = SimpleNamespace(
-        mean_pressure=5e6, expansion=np.array([3e-6, 1e-6]), fit=SimpleNamespace(thermal_strains=(0.0, 0.0)),
+        mean_pressure=5e6, growth=3e-6, fit=SimpleNamespace(thermal_strains=(0.0, 0.0)),
         bodies=SimpleNamespace(part=SimpleNamespace(seat=SimpleNamespace(raceway_diameter=65e-3))),
     )  # fmt: skip
     loaded = SimpleNamespace(mean_pressure=6e6, pressure=np.array([0.0, 9e6]), opened=0.25, slipping=0.5)

@@ -52,6 +52,7 @@ from flexbearing.case.quantity import (
     at_most,
     impossible,
     key,
+    needed,
     require,
     require_one,
 )
