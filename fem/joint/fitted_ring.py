@@ -130,11 +130,11 @@ def condense_fitted(
     grid, shape = grid or FitGrid(), resolution.nodes_of or Shape(part=part, length=resolution.length)
     seat, detail = shape.part.seat, shape.length / resolution.axial_modes
     radius = seat.raceway_diameter / 2
-    if seat.groove is not None:
-        last = last_harmonic_of_patches(seat, resolution)
+    if seat.groove is None:
+        of_raceway = highest_harmonic(radius, detail, resolution.mesh)
     else:
-        last = highest_harmonic(radius, detail, resolution.mesh)
-    last = max(grid.harmonics, last)
+        of_raceway = last_harmonic_of_patches(seat, resolution)
+    last = max(grid.harmonics, of_raceway)
     return _condensed(part, resolving(resolution, radius, last), last, grid, variations)
 
 

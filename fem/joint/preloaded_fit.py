@@ -27,12 +27,7 @@ from fem.parts.groove import Groove
 from fem.parts.material import ImpossiblePart, in_mm, require
 from fem.parts.resolution import Resolution
 from fem.parts.rings import OuterRing
-from fem.raceway.harmonics import (
-    DOUBLINGS,
-    HarmonicCompliance,
-    Responses,
-    with_enough_harmonics,
-)
+from fem.raceway.harmonics import DOUBLINGS, HarmonicCompliance, Responses, with_enough_harmonics
 from fem.section.expansion import Along
 from fem.section.raceway_shapes import Raceway, raceway_compliance
 
