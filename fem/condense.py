@@ -202,6 +202,8 @@ def _require_known(part: Part | StepSolid, discretisation: Discretisation) -> No
     known = SMEARED if isinstance(part, SquirrelCage) else SOLID if isinstance(part, StepSolid) else HARMONICS
     if discretisation is not known:
         raise ImpossiblePart(f"a groove is impossible as {discretisation.name}, only as {known.name}")
+    if isinstance(part, SquirrelCage | BoltedRing) and part.groove and part.groove.place:
+        raise ImpossiblePart(f"{type(part).__name__} is impossible with grooves of two rows")
 
 
 def _in_harmonics(

@@ -51,8 +51,8 @@ def sections(part, length: float, rows: Sequence[float] = MIDDLE) -> list[AxialS
 def _(part: OuterRing, length, rows=MIDDLE):
     inner, (left, right) = part.raceway_diameter / 2, part.sides
     outer, half = inner + part.thickness, half_band(part.groove, inner, 1, length)
+    rows, bends = rows_of_grooves(part.groove, inner, 1, rows, 2)
     bore = _on_cone([(left, inner, None), *_bands(rows, half, inner), (right, inner, None)], part)
-    bends = {} if part.groove is None else {2: start_of_arc(part.groove.end(inner, 1), 1)}
     if not isinstance(part.support, Housing):
         face, outside = edge_names(part.support)
         return [AxialSection("ring", (*bore, (right, outer, face), (left, outer, outside)), bends)]
@@ -78,7 +78,7 @@ def _(part: RingOnShaft, length, rows=MIDDLE):
     half = half_band(part.groove, raceway, -1, length)
     ribs = [[(side, rib, None), (track, rib, None)], [(-track, rib, None), (-side, rib, None)]]
     right, left = ribs if part.rib_diameter is not None else ([], [])
-    bends = {} if part.groove is None else {4 + len(right): start_of_arc(part.groove.end(raceway, -1), -1)}
+    rows, bends = rows_of_grooves(part.groove, raceway, -1, rows, 4 + len(right))
     surface = [(track, raceway, None), *_bands(rows, -half, raceway), (-track, raceway, None)]
     ring = AxialSection("ring", (
         (-side, bore, None), (side, bore, "seat"), *right, *_on_cone(surface, part), *left,
@@ -160,6 +160,17 @@ def _mirrored(corners: tuple) -> tuple:
 def half_band(groove: Groove | None, land: float, outward: int, length: float) -> float:
     """Half of what is loaded along the axis [m]: the arc of a groove, or a band of some length."""
     return length / 2 if groove is None else groove.width(land, outward) / 2
+
+
+def rows_of_grooves(
+    groove: Groove | None, land: float, outward: int, rows: Sequence[float], first: int
+) -> tuple[Sequence[float], dict[int, tuple[float, float]]]:
+    """Places of loaded bands, of grooves those of their rows, and bends of arcs that end at every other
+    corner from the `first` on; of bands without a groove none."""
+    if groove is None:
+        return rows, {}
+    arc = start_of_arc(groove.end(land, outward), outward)
+    return groove.places, {first + 2 * row: arc for row in range(len(groove.places))}
 
 
 def start_of_arc(angle: float, outward: int) -> tuple[float, float]:

@@ -11,12 +11,14 @@ from fem.parts.material import in_mm, require, require_positive
 class Groove:
     """An arc of a circle in the axial section, turned about the axis, its centre at x = 0; or a pair of them.
 
-    Two arcs mirror each other at x = 0, where they meet; each serves the balls that press to its own side.
+    Two arcs mirror each other at x = 0; each serves the balls that press to its own side. They meet there, or
+    are grooves of two rows.
     """
 
     radius: float  # [m] of an arc
     centre_radius: float  # [m] from the axis to the centre of an arc
-    aside: float = 0.0  # [m] of the centres of two arcs from x = 0; zero is one arc
+    aside: float = 0.0  # [m] of the centres of two arcs from x = 0, where they meet; zero is one arc
+    place: float = 0.0  # [m] along x of the row whose contact angles are positive; zero is one row
 
     def __post_init__(self):
         require_positive(self, "radius", "centre_radius")
@@ -24,11 +26,19 @@ class Groove:
             0 <= self.aside < self.radius, "aside", in_mm(self.aside),
             f"from zero to below the radius of an arc, {in_mm(self.radius)}",
         )  # fmt: skip
+        require(not (self.aside and self.place), "place", in_mm(self.place), "zero of two arcs that meet")
 
     @property
     def sides(self) -> tuple[int, ...]:
-        """Sign of the axial direction of the balls' force on each arc: 1 for one arc, 1 and -1 for two."""
-        return (1, -1) if self.aside else (1,)
+        """Sign of the axial direction of the balls' force on each arc: 1 for one; for rows from -x to +x."""
+        if self.place > 0:
+            return -1, 1
+        return (1, -1) if self.aside or self.place else (1,)
+
+    @property
+    def places(self) -> tuple[float, ...]:
+        """Of rows along x [m], from -x to +x."""
+        return (-abs(self.place), abs(self.place)) if self.place else (0.0,)
 
     @property
     def bottom_angle(self) -> float:
@@ -58,7 +68,7 @@ class Groove:
         return acos(depth / self.radius)
 
     def width(self, land: float, outward: int) -> float:
-        """Axial width of the groove between its lands [m]."""
+        """Axial width of the groove of a row between its lands [m]."""
         return 2 * self.half_width(self.end(land, outward))
 
     def bottom(self, outward: int) -> float:
@@ -67,7 +77,7 @@ class Groove:
 
     def surface(self, x: float, land: float, outward: int) -> float:
         """Radius of groove and lands at an axial place [m]."""
-        along = abs(x) + self.aside
+        along = abs(abs(x) - abs(self.place)) + self.aside
         depth = sqrt(self.radius**2 - along**2) if along < self.radius else 0.0
         return self.centre_radius + outward * max(depth, outward * (land - self.centre_radius))
 

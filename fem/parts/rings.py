@@ -25,6 +25,7 @@ from fem.parts.material import (
     require,
     require_positive,
 )
+from fem.parts.reduced_body import ReducedBody
 from fem.parts.room import ROUNDING, SLENDEREST_SLOT, places_on_cones, require_inside, require_room
 
 MIDDLE = (0.0,)  # [m] axial place of the only row of rollers
@@ -53,6 +54,11 @@ class OuterRing:
         if self.groove is not None:
             land = self.raceway_diameter / 2
             require_room(self.groove, land, land + self.thickness, 1, self.width, self.offset)
+            if self.groove.place and (self._loose or isinstance(self.support, ReducedBody)):
+                raise ImpossiblePart(
+                    "two grooves are impossible on lines, between teeth, on springs that only push, on the body "
+                    "of a matrix, and without anything that holds the ring along its axis"
+                )
         require(
             self.thickness > SLENDEREST_SLOT, "thickness", in_mm(self.thickness),
             f"above {in_mm(SLENDEREST_SLOT)}",
@@ -71,11 +77,16 @@ class OuterRing:
             for x in places_on_cones(self.width, self.row_distance, self.offset)
         ]
         require_conical(self, min(walls), self.raceway_diameter / 2 + self.thickness - max(walls))
-        if self.free_motions.axial or getattr(self.support, "pushing", False):
+        if self._loose:
             raise ImpossiblePart(
                 "a conical raceway is impossible on lines, between teeth, on springs that only push, and "
                 "without anything that holds the ring along its axis"
             )
+
+    @property
+    def _loose(self) -> bool:
+        """Whether nothing holds the ring along its axis, or its support only pushes."""
+        return self.free_motions.axial or getattr(self.support, "pushing", False)
 
     @property
     def track(self) -> float:

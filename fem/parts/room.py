@@ -9,8 +9,13 @@ ROUNDING = 1e-12  # [m] of sums of lengths: a length at its limit is allowed
 
 
 def narrowest_ring(groove: Groove, land: float, outward: int, offset: float) -> float:
-    """Axially narrowest ring [m] around a groove between lands of a radius, off the ring's middle [m]."""
-    return groove.width(land, outward) + 2 * SLENDEREST_SLOT + 2 * abs(offset) - ROUNDING
+    """Axially narrowest ring [m] around all grooves between lands of a radius, off the ring's middle [m]."""
+    return groove.width(land, outward) + 2 * (SLENDEREST_SLOT + abs(groove.place) + abs(offset)) - ROUNDING
+
+
+def closest_rows(groove: Groove, land: float, outward: int) -> float:
+    """Axially closest place of a groove to the middle between two rows that leaves a land there [m]."""
+    return (groove.width(land, outward) + SLENDEREST_SLOT) / 2
 
 
 def places_on_cones(width: float, row_distance: float, offset: float = 0.0) -> tuple[float, float]:
@@ -27,6 +32,11 @@ def require_room(groove: Groove, land: float, far: float, outward: int, width: f
     require(
         wall > SLENDEREST_SLOT - ROUNDING, "groove.radius", in_mm(groove.radius),
         f"one that leaves a wall above {in_mm(SLENDEREST_SLOT)}",
+    )  # fmt: skip
+    closest = closest_rows(groove, land, outward)
+    require(
+        not groove.place or abs(groove.place) >= closest - ROUNDING, "groove.place", in_mm(groove.place),
+        f"{in_mm(closest)} from the middle between both rows, or more, for a land between their grooves",
     )  # fmt: skip
     aside = f" {in_mm(abs(offset))} off its middle" if offset else ""
     require(

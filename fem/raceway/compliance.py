@@ -41,6 +41,18 @@ class RacewayCompliance:
             )
         return self
 
+    def repeated(self, rows: int) -> "RacewayCompliance":
+        """Of so many rows, one after the other, each on a raceway of its own like this one."""
+        count, shapes = self.absolute.shape[:2]
+        absolute = np.einsum("ab,jmkn->ajmbkn", np.eye(rows), self.absolute)
+        return replace(
+            self,
+            azimuths=np.tile(self.azimuths, rows),
+            absolute=absolute.reshape((rows * count, shapes) * 2),
+            translation=np.tile(self.translation, (1, rows, 1)),
+            initial_deviation=np.tile(self.initial_deviation, (rows, 1)),
+        )
+
     @property
     def relative(self) -> NDArray:
         r"""Outward deviation from the translated raceway per outward force.

@@ -71,14 +71,20 @@ class GrooveCompliance:
     def at(self, azimuths: NDArray) -> RacewayCompliance:
         """Compliance for balls at azimuths (Z,) [rad]: A arcs of the first ball, then those of the next.
 
+        Of two rows first the balls of that at -x, then those of the other.
         Displacements are normal to the arc, away from the axis of the bearing, and from the ground: no mean
         translation is known beside them.
         """
-        phi = np.asarray(azimuths, dtype=float)
-        each = len(phi) * len(self.groove.sides), len(self.angles)
+        phi, arcs = np.asarray(azimuths, dtype=float), len(self.groove.sides)
+        each = len(phi) * arcs, len(self.angles)
+        around, absolute = np.repeat(phi, arcs), self.absolute(phi)
+        if self.groove.place:
+            around = np.tile(phi, arcs)
+            of_rows = absolute.reshape((len(phi), arcs, len(self.angles)) * 2)
+            absolute = of_rows.transpose(1, 0, 2, 4, 3, 5)
         return RacewayCompliance(
-            azimuths=np.repeat(phi, len(self.groove.sides)),
-            absolute=self.absolute(phi).reshape(each * 2),
+            azimuths=around,
+            absolute=absolute.reshape(each * 2),
             translation=np.zeros((2, *each)),
             support_stiffness=np.inf,
             unknowns=self.unknowns,

@@ -116,7 +116,7 @@ def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) 
               {\int p_k \cos(\alpha - \alpha_k)\,ds}, \quad
               p_k = e^{-r^2 (\alpha - \alpha_k)^2/2 \sigma^2}
 
-    with the sign of the side of the arc; two arcs end where they meet.
+    with the sign of the side of the arc; two arcs end where they meet, or are grooves of two rows.
 
     An array (unknowns, A K) [-], one arc after the other; for unit forces away from the centre of the groove
     on an outer race (`outward` 1), towards it on an inner one (-1). Stations have alpha_k and sigma, the
@@ -136,10 +136,14 @@ def station_modes(body: Body, groove: Groove, outward: int, stations: Stations) 
     cosine = outward * (ngs.y / MILLIMETRES - groove.centre_radius) / groove.radius
     loads = []
     for side in groove.sides:
-        along = outward * side * ngs.x / MILLIMETRES
+        along = outward * (side * ngs.x / MILLIMETRES - groove.place)
         sine = (along + groove.aside) / groove.radius
         angle, normal = ngs.atan2(sine, cosine), side * sine * v[0] + cosine * v[1]
-        here = ngs.IfPos(along, 1.0, 0.0) if groove.aside else 1.0
+        here = 1.0
+        if groove.aside:
+            here = ngs.IfPos(along, 1.0, 0.0)
+        elif groove.place:
+            here = ngs.IfPos(side * groove.place * ngs.x, 1.0, 0.0)
         for station in stations.angles:
             patch = here * ngs.exp(-((groove.radius * (angle - station) / stations.width) ** 2) / 2)
             read = ngs.Integrate(patch * ngs.cos(angle - station), body.space.mesh, ngs.BND, definedon=edge)

@@ -43,6 +43,8 @@ def why_no_solid(case: BallCase, race: Race) -> str:
     if isinstance(case, FourPointCase):
         return ""
     outer = case.outer
+    if case.bearing.second_row is not None:
+        return "bearing.pair has no solid, only one row has one"
     if race == "outer" and outer.kind == "matrix":
         return 'outer.kind = "matrix" has no solid: its body is known by a matrix alone'
     if race == "outer" and outer.kind == "ring" and outer.support in ("lines", "planet"):
@@ -76,7 +78,7 @@ def _bolted(case: FourPointCase, race: Race) -> BoltedRing:
 
 
 def _outer(case: FastCase) -> "fem.OuterRing | fem.SquirrelCage | StepSolid":
-    outer, (groove, land) = case.outer, elastic_groove(case.bearing, "outer")
+    outer, (groove, land) = case.outer, elastic_groove(case, "outer")
     if outer.kind == "step":
         elastic = _elastic(case.materials.ring("outer"))
         lands = {"raceway_diameter": 2 * land, "low_land": low_land(case.bearing)}
@@ -102,7 +104,7 @@ def _outer(case: FastCase) -> "fem.OuterRing | fem.SquirrelCage | StepSolid":
 
 
 def _inner(case: FastCase) -> fem.RingOnShaft:
-    inner, (groove, land), shaft = case.inner, elastic_groove(case.bearing, "inner"), case.materials.shaft
+    inner, (groove, land), shaft = case.inner, elastic_groove(case, "inner"), case.materials.shaft
     bore, width, length = require(inner, ("bore", "width", "shaft_length"), 'inner.kind = "ring_on_shaft"')
     assert shaft  # checked on reading
     return fem.RingOnShaft(

@@ -48,16 +48,14 @@ def _raceway(case: TaperedCase, race: "Race", azimuths: NDArray, report: Report)
     name = f"{race} ring"
     report.stage(name, None)
     of_row, pair = azimuths[: case.bearing.rollers], case.bearing.pair
-    rows = len(azimuths) // len(of_row)
     along = race == "inner"  # for the load on its rib
     with _named(case, race):
         ring = condensed_part(name, arguments, report)
         if pair and _in_one_ring(case, race):
             large_end = np.repeat([-1, 1] if pair.arrangement == "back_to_back" else [1, -1], len(of_row))
             return towards_large_end(ring.at(azimuths).absolute, large_end, along)
-        own = towards_large_end(ring.at(of_row).absolute, np.full(len(of_row), -1), along)
-    whole = np.einsum("ab,jmkn->ajmbkn", np.eye(rows), own)
-    return whole.reshape((len(azimuths), own.shape[1]) * 2)
+        own = ring.at(of_row).repeated(len(azimuths) // len(of_row)).absolute
+        return towards_large_end(own, np.full(len(azimuths), -1), along)
 
 
 def towards_large_end(compliance: NDArray, large_end: NDArray, along: bool) -> NDArray:

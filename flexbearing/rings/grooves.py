@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -35,6 +36,7 @@ from quasidynamic.parts.angular_contact_bearing import azimuths_of_row
 
 if TYPE_CHECKING:
     from fem.joint.preloaded_fit import Fit
+    from fem.raceway.compliance import RacewayCompliance
 
 MESH = 0.25  # largest element over the ball diameter
 FINER, FINER_IN_SPACE = 6.0, 3.0  # order of the elements times width of a patch, over those on the groove
@@ -209,7 +211,8 @@ def _raceway(case: FastCase, shape: GrooveShape | None, azimuths: NDArray, repor
         outer, support = case.outer, case.outer.support
         on_lines = outer.kind == "ring" and support == "lines"
         if shape.race == "inner" or not (on_lines or outer.lifts_off):
-            return CondensedRaceway(ring.at(azimuths), ring.at)
+            under = partial(_under_rows, case, ring)
+            return CondensedRaceway(under(azimuths), under)
         under_balls = ring.under_rollers(azimuths)
         name, figures = RINGS[support], FIGURES[support]
         return SupportedRaceway(name, under_balls, figures, ring.under_rollers, from_ground=True)
@@ -228,8 +231,19 @@ def groove_of_shape(case: BallCase, shape: GrooveShape, azimuths: NDArray, repor
     Raises `BadCase` when the part cannot exist; `NotSolved` when the finite elements find none.
     """
     with _named(case, shape.race):
-        at_balls = compliance(case, shape, report).at(azimuths)
+        ring = compliance(case, shape, report)
+        at_balls = ring.at(azimuths) if isinstance(case, FourPointCase) else _under_rows(case, ring, azimuths)
     return _groove(case, shape, at_balls)
+
+
+def _under_rows(case: FastCase, ring: Any, azimuths: NDArray) -> "RacewayCompliance":
+    """Compliance of condensed grooves under balls at azimuths (Z) [rad], one row after the other.
+
+    Rows of a pair are in one ring, or each has a ring of its own.
+    """
+    of_row = azimuths[: case.bearing.balls]
+    at_row = ring.at(of_row)
+    return at_row if len(at_row.azimuths) == len(azimuths) else at_row.repeated(len(azimuths) // len(of_row))
 
 
 def _groove(case: BallCase, shape: GrooveShape, at_balls: LinearRaceway) -> ElasticGroove:

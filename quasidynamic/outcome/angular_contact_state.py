@@ -268,7 +268,9 @@ class AngularContactState:
     @property
     def groove_axial(self) -> NDArray | None:
         """Displacement of elastic grooves along x (2, Z) [m]; None between rigid rings."""
-        return None if self.groove_displacement is None else self.groove_displacement[..., 0]
+        if self.groove_displacement is None:
+            return None
+        return self.bearing.along_x * self.groove_displacement[..., 0]
 
     @property
     def groove_radial(self) -> NDArray | None:
@@ -287,7 +289,7 @@ class AngularContactState:
         if len(bearing.rows) == 1:
             return None
         forces = (self.loads[0] - 1j * self.section_forces[0]) * 1j * np.exp(-1j * self.contact_angles[0])
-        axial = np.where(bearing.of_balls("mirrored"), -1.0, 1.0) * forces.real
+        axial = bearing.along_x * forces.real
         around = np.exp(1j * bearing.azimuths) * forces.imag  # z + i y
         return np.array([axial, around.imag, around.real]).T.reshape(len(bearing.rows), -1, 3).sum(1)
 

@@ -138,6 +138,11 @@ class AngularContactBearing:
         """Number of the row of each ball, from 0 (Z)."""
         return np.repeat(np.arange(len(self.rows)), self.balls)
 
+    @cached_property
+    def along_x(self) -> NDArray:
+        """Direction of x over that towards the shoulders of its row, for each ball: 1, mirrored -1 (Z)."""
+        return np.where(self.of_balls("mirrored"), -1.0, 1.0)
+
     def of_balls(self, name: str) -> NDArray:
         """A value of `RowPlace` for each ball (Z)."""
         return np.array([getattr(row, name) for row in self.rows])[self.ball_rows]

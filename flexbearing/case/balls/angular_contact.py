@@ -1,6 +1,6 @@
 """A fast angular-contact ball bearing, as a case; what it shares with that of a deep groove bearing."""
 
-from math import cos, hypot
+from math import cos, hypot, sin
 from pathlib import Path
 from typing import Literal, Self
 
@@ -8,7 +8,7 @@ from pydantic import model_validator
 
 from flexbearing.case import held_ring
 from flexbearing.case.balls.cage import BallCage
-from flexbearing.case.balls.elastic_rings import BallInner, BallOuter, GrooveAccuracy, require_shoulder
+from flexbearing.case.balls.elastic_rings import AngularOuter, BallInner, BallOuter, GrooveAccuracy, require_shoulder
 from flexbearing.case.balls.mounting import (
     BallTemperatures,
     FastMaterials,
@@ -142,6 +142,17 @@ class FastBearing(MountedBearing):
         depth = conformity - (conformity - 0.5) * cos(self.groove_angle)
         return self.pitch_diameter / 2 + (1 if race == "outer" else -1) * depth * self.ball.diameter
 
+    def row_place(self, race: Race) -> float:
+        """Axial place of the groove of the row that is not mirrored, from the middle of both rows [m].
+
+        Zero of one row.
+        """
+        if self.second_row is None:
+            return 0.0
+        reach = (getattr(self, race).over(self.ball.diameter) - 0.5) * self.ball.diameter
+        beside = reach * sin(self.groove_angle) * (1 if race == "inner" else -1)
+        return beside + self.second_row.distance / (-2 if self.second_row.arrangement == "back_to_back" else 2)
+
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:
         self.require_room(self.balls)
@@ -173,8 +184,8 @@ class AngularBearing(FastBearing):
         lt=RIGHT_ANGLE,
     )
     pair: Pair | None = key(
-        "a second row of the same balls between rings in common: a pair of bearings, or a double-row one; "
-        "ratings in [life] are those of one row",
+        "a second row of the same balls: a pair of bearings, or a double-row one. Inner rings are in common; "
+        "elastic outer rings are two, or one (outer.common); ratings in [life] are those of one row",
         None,
     )
 
@@ -377,8 +388,12 @@ class FastCase(MountedCase):
     @property
     def seat(self) -> tuple[float, float]:
         """Radius of the outer surface of an elastic outer ring, and offset of its groove [m]."""
-        groove, _ = elastic_groove(self.bearing, "outer")
+        groove, _ = elastic_groove(self, "outer")
         return groove.bottom(1) + (self.outer.thickness or 0.0), self.outer.groove_offset
+
+    def one_ring(self, race: Race) -> bool:
+        """Whether two rows of balls are in one elastic ring."""
+        return False
 
     @property
     def rigid(self) -> bool:
@@ -467,9 +482,13 @@ class FastCase(MountedCase):
         if pair is None:
             return self
         pair.require_apart(self.bearing.ball.diameter, "the ball diameter")
-        if not self.rigid:
-            name = "outer" if self.outer.kind != "rigid" else "inner"
-            raise impossible(f"{name}.kind", '"rigid" beside bearing.pair')
+        for name, kinds in (("outer", ("rigid", "ring")), ("inner", ("rigid", "ring_on_shaft"))):
+            if getattr(self, name).kind not in kinds:
+                raise impossible(f"{name}.kind", f'"{kinds[0]}" or "{kinds[1]}" beside bearing.pair')
+        if self.outer.kind == "ring":
+            self.outer.require_held_along_the_axis()
+        if not pair.opposed and (self.inner.kind != "rigid" or self.one_ring("outer")):
+            raise impossible("bearing.pair.arrangement", "another one of two rows in one elastic ring")
         if self.operation.preload:
             raise impossible("operation.preload", "left out beside bearing.pair, which has a preload")
         if self.bearing.cage is not None:
@@ -493,3 +512,8 @@ class AngularCase(FastCase):
 
     kind: Literal["angular_contact_ball"] = key(KIND)
     bearing: AngularBearing = key("the bearing")
+    outer: AngularOuter = key("what carries the outer groove", {})
+
+    def one_ring(self, race: Race) -> bool:
+        """Whether two rows of balls are in one elastic ring."""
+        return self.bearing.pair is not None and (race == "inner" or self.outer.common)

@@ -9,12 +9,14 @@ from flexbearing.case.balls import groove_accuracy
 from flexbearing.case.balls.parts import EndingGroove
 from flexbearing.case.held_ring import CAGE, MATRIX, ON_SHAFT, RING, STEP, Direction
 from flexbearing.case.quantity import (
+    GIVEN,
     Angle,
     Force,
     Foundation,
     Fraction,
     Length,
     Section,
+    impossible,
     key,
     needed,
     require,
@@ -40,8 +42,8 @@ class BallOuter(Section):
     )
     width: Length | None = key("axial width of the ring", None, example="19 mm", gt=0, only=OF_RING)
     groove_offset: Length = key(
-        "axial distance from the middle of the ring's width to the centre of the groove, positive towards "
-        "+x, where the side face is held or the bars are",
+        "axial distance from the middle of the ring's width to the centre of the groove, or to the middle "
+        "between two of them, positive towards +x, where the side face is held or the bars are",
         "0 mm",
         example="1 mm",
         only=(HELD, CAGE, MATRIX),
@@ -103,6 +105,15 @@ class BallOuter(Section):
         pulls = self.support != "lines" if self.bilateral is None else self.bilateral
         return self.kind == "ring" and self.support in ("lines", "foundation") and not pulls
 
+    def require_held_along_the_axis(self) -> None:
+        """Raise unless what holds a ring does so along the axis, and pulls as well as pushes."""
+        if self.support in ("lines", "planet"):
+            raise impossible("outer.support", '"side", "seat", "foundation" or "housing" beside bearing.pair')
+        if self.lifts_off:
+            raise impossible("outer.bilateral", "true beside bearing.pair")
+        if self.support == "foundation" and not self.foundation_axial:
+            raise impossible("outer.foundation_axial", "above zero beside bearing.pair")
+
     @model_validator(mode="after")
     def _complete(self) -> Self:
         if self.kind == "rigid":
@@ -121,11 +132,23 @@ class BallOuter(Section):
         return self
 
 
+class AngularOuter(BallOuter):
+    """The same of a bearing that may have two rows."""
+
+    common: bool = key(
+        "whether both rows of bearing.pair are in this one ring, whose middle is between them; without it "
+        "each row has a ring of its own, held alike, the mirror image of the other but in tandem",
+        False,
+        only={**RING, "bearing.pair": GIVEN},
+    )
+
+
 class BallInner(held_ring.OnShaft):
     """What carries the inner groove."""
 
     kind: Literal["rigid", "ring_on_shaft", "cam"] = key(
-        "rigid; a ring bonded on a shaft with both ends clamped, which move with the ring; or a thin ring "
+        "rigid; a ring bonded on a shaft with both ends clamped, which move with the ring, both rows of "
+        "bearing.pair in it; or a thin ring "
         "that a rigid cam shapes, as in a strain-wave gear, to which an elastic outer ring gives way",
         "rigid",
     )

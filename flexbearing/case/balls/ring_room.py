@@ -15,13 +15,15 @@ OUTWARD: dict[Race, int] = {"inner": -1, "outer": 1}
 MARGIN = 2.0  # widths of a patch from the outermost station to the end of the groove
 
 
-def elastic_groove(bearing: Any, race: Race) -> "tuple[Groove, float]":
-    """Groove in an elastic ring, and radius of its shoulders [m]."""
+def elastic_groove(case: Any, race: Race) -> "tuple[Groove, float]":
+    """Groove in an elastic ring, or grooves of both rows in one, and radius of their shoulders [m]."""
     from fem.parts.groove import Groove  # not described between rigid rings
 
+    bearing = case.bearing
     groove, outward, bottom = getattr(bearing, race), OUTWARD[race], bearing.groove_bottom(race)
     radius = groove.over(bearing.ball.diameter) * bearing.ball.diameter
-    arc = Groove(radius=radius, centre_radius=bottom - outward * radius)
+    place = bearing.row_place(race) if case.one_ring(race) else 0.0
+    arc = Groove(radius=radius, centre_radius=bottom - outward * radius, place=place)
     return arc, bottom - outward * groove.shoulder
 
 
@@ -36,6 +38,7 @@ def require_room(case: Any) -> None:
     for race in races:
         if getattr(case, race).kind not in ("rigid", "cam"):
             _require_arc(case.bearing, race)
+            _require_apart(case, race)
             if race == "inner":
                 _require_inner(case)
             elif case.outer.kind != "step":  # only the opened drawing can tell
@@ -61,10 +64,31 @@ def _require_arc(bearing: Any, race: Race) -> None:
     raise impossible(f"bearing.{race}.radius", f"{at_most(largest)} around the axis")
 
 
+def _require_apart(case: Any, race: Race) -> None:
+    """Raise where grooves of two rows in one ring leave no land between them, or two rings overlap."""
+    from fem.parts.room import ROUNDING, closest_rows
+
+    pair = case.bearing.second_row
+    if pair is None:
+        return
+    if case.one_ring(race):
+        groove, land = elastic_groove(case, race)
+        more = 2 * (closest_rows(groove, land, OUTWARD[race]) - abs(groove.place))
+        if more > ROUNDING:
+            least = at_least(pair.distance + more)
+            raise impossible("bearing.pair.distance", f"{least}, for a land between grooves of one {race} ring")
+        return
+    outer = case.outer
+    room = pair.distance + {"back_to_back": 2, "face_to_face": -2, "tandem": 0}[pair.arrangement] * outer.groove_offset
+    for name in ("width", "housing_width"):
+        if (getattr(outer, name) or 0.0) > room + ROUNDING:
+            raise impossible(f"outer.{name}", f"{at_most(room)}, or parts of both rows overlap")
+
+
 def _require_outer(case: Any) -> None:
     from fem.parts.room import SLENDEREST_SLOT, narrowest_ring
 
-    outer, (groove, land) = case.outer, elastic_groove(case.bearing, "outer")
+    outer, (groove, land) = case.outer, elastic_groove(case, "outer")
     thickness, width = require(outer, ("thickness", "width"), f'outer.kind = "{outer.kind}"')
     if thickness <= SLENDEREST_SLOT:
         raise impossible("outer.thickness", f"above {in_mm(SLENDEREST_SLOT)}")
@@ -84,7 +108,7 @@ def _require_outer(case: Any) -> None:
 def _require_inner(case: Any) -> None:
     from fem.parts.room import SLENDEREST_SLOT, narrowest_ring
 
-    inner, (groove, land) = case.inner, elastic_groove(case.bearing, "inner")
+    inner, (groove, land) = case.inner, elastic_groove(case, "inner")
     bore, width = require(inner, ("bore", "width"), 'inner.kind = "ring_on_shaft"')
     largest = 2 * (groove.bottom(-1) - SLENDEREST_SLOT)
     if bore > largest:
@@ -94,12 +118,12 @@ def _require_inner(case: Any) -> None:
 
 def _require_wide(race: Race, width: float, least: float) -> None:
     if width < least:
-        raise impossible(f"{race}.width", f"{at_least(least)}: the groove with a land at each side")
+        raise impossible(f"{race}.width", f"{at_least(least)}: its grooves with a land at each side")
 
 
 def _require_patches(case: Any, race: Race) -> None:
     """Raise unless patches fit between the bottom of a groove and its shoulder."""
-    groove, land = elastic_groove(case.bearing, race)
+    groove, land = elastic_groove(case, race)
     drawn = race == "outer" and case.outer.kind == "step"
     if drawn and case.bearing.outer.shoulders[1] == 0:
         raise impossible("bearing.outer.open_shoulder", 'above 0 mm for outer.kind = "step"')

@@ -114,7 +114,7 @@ class AngularBalance:
         """
         bearing = self.bearing
         sine, cosine = np.sin(bearing.azimuths), np.cos(bearing.azimuths)
-        axial = np.where(bearing.of_balls("mirrored"), -1.0, 1.0)
+        axial = bearing.along_x
         tilt = axial - 1j * bearing.of_balls("axial") / bearing.inner_groove_radius
         return np.array([axial, 1j * sine, 1j * cosine, tilt * cosine, -tilt * sine], dtype=complex).T.copy()
 
