@@ -213,7 +213,9 @@ RECORDS = {
             "reading": Array(("L 2",), largest=10.0),
         },
     ),
-    "Groove": Record("fem.parts.groove", {"radius": Number(), "centre_radius": Number(), "aside": Number()}),
+    "Groove": Record(
+        "fem.parts.groove", {name: Number() for name in ("radius", "centre_radius", "aside", "place")}
+    ),
     "Elastic": Record("fem.parts.material", {"youngs_modulus": Number(), "poisson_ratio": Number()}),
 }
 

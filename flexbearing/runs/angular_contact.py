@@ -423,7 +423,9 @@ def block(solution: Solution) -> dict[str, NDArray]:
         "rated": {
             "static_safety": ball_lives.safety(case, state),
             "effective_static_safety": ball_lives.effective_safety(case, state),
-            "unloading_force": qd.unloading_force(state.bearing),
+            "unloading_force": (
+                qd.unloading_force(state.bearing) if state.groove_displacement is None else None
+            ),
         },
     }
     return row(taken(LAYOUT.quantities, {name: [part] for name, part in parts.items()}), 0)

@@ -8,7 +8,13 @@ from pydantic import model_validator
 
 from flexbearing.case import held_ring
 from flexbearing.case.balls.cage import BallCage
-from flexbearing.case.balls.elastic_rings import AngularOuter, BallInner, BallOuter, GrooveAccuracy, require_shoulder
+from flexbearing.case.balls.elastic_rings import (
+    AngularOuter,
+    BallInner,
+    BallOuter,
+    GrooveAccuracy,
+    require_shoulder,
+)
 from flexbearing.case.balls.mounting import (
     BallTemperatures,
     FastMaterials,
@@ -151,7 +157,9 @@ class FastBearing(MountedBearing):
             return 0.0
         reach = (getattr(self, race).over(self.ball.diameter) - 0.5) * self.ball.diameter
         beside = reach * sin(self.groove_angle) * (1 if race == "inner" else -1)
-        return beside + self.second_row.distance / (-2 if self.second_row.arrangement == "back_to_back" else 2)
+        return beside + self.second_row.distance / (
+            -2 if self.second_row.arrangement == "back_to_back" else 2
+        )
 
     @model_validator(mode="after")
     def _balls_fit(self) -> Self:

@@ -76,10 +76,15 @@ def _require_apart(case: Any, race: Race) -> None:
         more = 2 * (closest_rows(groove, land, OUTWARD[race]) - abs(groove.place))
         if more > ROUNDING:
             least = at_least(pair.distance + more)
-            raise impossible("bearing.pair.distance", f"{least}, for a land between grooves of one {race} ring")
+            raise impossible(
+                "bearing.pair.distance", f"{least}, for a land between grooves of one {race} ring"
+            )
         return
     outer = case.outer
-    room = pair.distance + {"back_to_back": 2, "face_to_face": -2, "tandem": 0}[pair.arrangement] * outer.groove_offset
+    room = (
+        pair.distance
+        + {"back_to_back": 2, "face_to_face": -2, "tandem": 0}[pair.arrangement] * outer.groove_offset
+    )
     for name in ("width", "housing_width"):
         if (getattr(outer, name) or 0.0) > room + ROUNDING:
             raise impossible(f"outer.{name}", f"{at_most(room)}, or parts of both rows overlap")
