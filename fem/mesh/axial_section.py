@@ -166,7 +166,8 @@ def rows_of_grooves(
     groove: Groove | None, land: float, outward: int, rows: Sequence[float], first: int
 ) -> tuple[Sequence[float], dict[int, tuple[float, float]]]:
     """Places of loaded bands, of grooves those of their rows, and bends of arcs that end at every other
-    corner from the `first` on; of bands without a groove none."""
+    corner from the `first` on; of bands without a groove none.
+    """
     if groove is None:
         return rows, {}
     arc = start_of_arc(groove.end(land, outward), outward)

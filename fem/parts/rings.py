@@ -56,8 +56,8 @@ class OuterRing:
             require_room(self.groove, land, land + self.thickness, 1, self.width, self.offset)
             if self.groove.place and (self._loose or isinstance(self.support, ReducedBody)):
                 raise ImpossiblePart(
-                    "two grooves are impossible on lines, between teeth, on springs that only push, on the body "
-                    "of a matrix, and without anything that holds the ring along its axis"
+                    "two grooves are impossible on lines, between teeth, on springs that only push, on the "
+                    "body of a matrix, and without anything that holds the ring along its axis"
                 )
         require(
             self.thickness > SLENDEREST_SLOT, "thickness", in_mm(self.thickness),

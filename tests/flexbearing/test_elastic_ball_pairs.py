@@ -176,8 +176,8 @@ def test_no_stresses_of_two_rows():
     [
         ([RING, PRESSED, {"outer.kind": "squirrel_cage", "outer.bars": "20"}], "outer.kind"),
         ([SPRINGS, PRESSED, {"inner.kind": "cam", "inner.cam_amplitude": "0.1 mm"}], "inner.kind"),
-        ([RING, PRESSED, {"outer.support": "lines", "outer.line_azimuths": '["0 deg", "120 deg", "240 deg"]'}],
-         "outer.support"),
+        ([RING, PRESSED, {"outer.support": "lines",
+                          "outer.line_azimuths": '["0 deg", "120 deg", "240 deg"]'}], "outer.support"),
         ([SPRINGS, PRESSED, {"outer.bilateral": "false"}], "outer.bilateral"),
         ([SPRINGS, PRESSED, {"outer.foundation_axial": "0 N/mm^3"}], "outer.foundation_axial"),
         ([ONE_RING, TANDEM], "bearing.pair.arrangement"),
@@ -186,6 +186,7 @@ def test_no_stresses_of_two_rows():
         ([ONE_RING, PRESSED, {"outer.width": "20 mm"}], "outer.width"),
         ([SPRINGS, PRESSED, {"outer.width": "16 mm"}], "outer.width"),
         ([HELD["housing"], PRESSED, {"outer.housing_width": "20 mm"}], "outer.housing_width"),
+        ([HELD["housing"], PRESSED, {"outer.housing_clearance": "10 um"}], "outer.housing_clearance"),
         ([SPRINGS, {"outer.common": "true"}], "outer.common"),
     ],
 )  # fmt: skip

@@ -495,6 +495,9 @@ class FastCase(MountedCase):
                 raise impossible(f"{name}.kind", f'"{kinds[0]}" or "{kinds[1]}" beside bearing.pair')
         if self.outer.kind == "ring":
             self.outer.require_held_along_the_axis()
+        if self.in_fit:
+            name = "outer.housing_clearance" if self.bearing.fits is None else "bearing.fits.housing"
+            raise impossible(name, "left out beside bearing.pair, whose rings are bonded to a housing")
         if not pair.opposed and (self.inner.kind != "rigid" or self.one_ring("outer")):
             raise impossible("bearing.pair.arrangement", "another one of two rows in one elastic ring")
         if self.operation.preload:
