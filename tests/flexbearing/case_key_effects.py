@@ -360,7 +360,7 @@ ROWS = (
      "life.rating": "radial"}, "case."),
     ("groove radii", "rings.outer.", {"kind": "rigid"},
      "outer.{last,length,stations,width} outer.mesh.{is,order,raceway_size,size} outer.part.groove.{aside,"
-     "centre_radius,is,radius} outer.part.elastic.{is,poisson_ratio,youngs_modulus} "
+     "centre_radius,is,place,radius} outer.part.elastic.{is,poisson_ratio,youngs_modulus} "
      "outer.part.{face_distance,face_side,far_diameter,is,normal_stiffness,race,raceway_diameter} "
      "outer.part.{shear_stiffness,width} model.bearing.groove_ends.1"),
     ("balls in bolted rings", "rings.outer.", {"width": "80.8 mm", "face_distance": "45.45 mm"},
@@ -375,7 +375,7 @@ ROWS = (
     ("balls in bolted rings", "rings.outer.", {"outside_diameter": "2080.6 mm"}, "outer.part.far_diameter"),
     ("groove radii", "rings.inner.", {"kind": "rigid"},
      "inner.{last,length,stations,width} inner.mesh.{is,order,raceway_size,size} inner.part.groove.{aside,"
-     "centre_radius,is,radius} inner.part.elastic.{is,poisson_ratio,youngs_modulus} "
+     "centre_radius,is,place,radius} inner.part.elastic.{is,poisson_ratio,youngs_modulus} "
      "inner.part.{face_distance,face_side,far_diameter,is,normal_stiffness,race,raceway_diameter} "
      "inner.part.{shear_stiffness,width} model.bearing.groove_ends.0"),
     ("balls in bolted rings", "rings.inner.", {"width": "80.8 mm", "face_distance": "45.45 mm"},
@@ -446,6 +446,8 @@ ROWS = (
      "model.bearing.rows.0.axial model.bearing.rows.1.axial"),
     ("fast, pair", "bearing.pair.", {"preload": "260 N"},
      "model.bearing.rows.0.closer model.bearing.rows.1.closer"),
+    ("fast, pair in rings", "outer.", {"common": {"outer.common": True, "outer.width": "80 mm"}},
+     "outer.part.{groove.place,width}"),
     ("fast, pair with offset", "bearing.pair.", {"offset": "6 um"},
      "model.bearing.rows.0.closer model.bearing.rows.1.closer"),
     ("three balls, fitted", "bearing.fits.", {"bore": "18 mm", "outer_diameter": "43 mm",
@@ -572,14 +574,14 @@ ROWS = (
     ("fast balls|deep groove", "outer.", {"kind": {"outer.kind": "ring", "outer.thickness": "5 mm",
      "outer.width": "30 mm", "bearing.outer.shoulder": "3 mm"}},
      "case.bearing.outer.shoulder model.bearing.outer.ends.{0,1} outer.{last,length,stations,width} "
-     "outer.mesh.{is,order,raceway_size,size} outer.part.groove.{aside,centre_radius,is,radius} "
+     "outer.mesh.{is,order,raceway_size,size} outer.part.groove.{aside,centre_radius,is,place,radius} "
      "outer.part.{elastic.is,elastic.poisson_ratio,elastic.youngs_modulus,is,offset,raceway_diameter,"
      "support.is,taper,row_distance,thickness,width}"),
     ("fast balls|deep groove", "inner.", {"kind": {"inner.kind": "ring_on_shaft", "inner.bore": "45 mm",
      "inner.width": "30 mm", "inner.shaft_length": "60 mm", "bearing.inner.shoulder": "3 mm",
      "materials.shaft": {"youngs_modulus": "206 GPa", "poisson_ratio": 0.3, "density": "7800 kg/m^3"}}},
      "case.bearing.inner.shoulder model.bearing.inner.ends.{0,1} inner.{last,length,stations,width} "
-     "inner.mesh.{is,order,raceway_size,size} inner.part.groove.{aside,centre_radius,is,radius} "
+     "inner.mesh.{is,order,raceway_size,size} inner.part.groove.{aside,centre_radius,is,place,radius} "
      "inner.part.{bore,is,raceway_diameter,rib_diameter,ring.is,ring.poisson_ratio,ring.youngs_modulus,"
      "shaft.is,row_distance,shaft.poisson_ratio,shaft.youngs_modulus,shaft_bore,shaft_length,taper,"
      "track_width,width}"),
