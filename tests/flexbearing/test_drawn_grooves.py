@@ -88,7 +88,7 @@ def test_a_low_shoulder_is_drawn_at_the_open_side(tmp_path):
     """As angular contact bearings have it; without its height the groove reaches as far to both."""
     file = shutil.copy("configs/harris218.toml", tmp_path)
     heights = {"bearing.outer.shoulder": "5 mm", "bearing.outer.open_shoulder": "0.8 mm"}
-    arc, land = elastic_groove(read_case(file, heights).bearing, "outer")
+    arc, land = elastic_groove(read_case(file, heights), "outer")
     shape = counterbored(arc, land, arc.bottom(1) - 0.8e-3)
     (tmp_path / "ring.step").write_bytes(written(shape))
     drawn = {"outer.kind": "step", "outer.file": "ring.step", "outer.clamps": ["back"]} | heights

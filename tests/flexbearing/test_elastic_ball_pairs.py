@@ -180,8 +180,9 @@ def test_no_stresses_of_two_rows():
     ("settings", "named"),
     [
         ([RING, PRESSED, {
-            "outer.kind": "squirrel_cage", "outer.bars": "20", "outer.bar_width": "4 mm", "outer.bar_ends": "one",
-            "outer.bar_thickness": "2 mm", "outer.bar_length": "20 mm", "outer.flange_length": "5 mm"}], "outer.kind"),
+            "outer.kind": "squirrel_cage", "outer.bars": "20", "outer.bar_width": "4 mm",
+            "outer.bar_ends": "one", "outer.bar_thickness": "2 mm", "outer.bar_length": "20 mm",
+            "outer.flange_length": "5 mm"}], "outer.kind"),
         ([SPRINGS, PRESSED, {"inner.kind": "cam", "inner.cam_amplitude": "0.1 mm"}], "inner.kind"),
         ([RING, PRESSED, {"outer.support": "lines",
                           "outer.line_azimuths": '["0 deg", "120 deg", "240 deg"]'}], "outer.support"),

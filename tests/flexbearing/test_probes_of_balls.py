@@ -47,7 +47,7 @@ def test_springs_that_move_as_probes_read_carry_the_load():
     outward, sideways, along = (
         found.flexible[f"probe_{way}_displacement"] for way in ("radial", "tangential", "axial")
     )
-    groove, _ = elastic_groove(read_case(CASE, SOFT).bearing, "outer")
+    groove, _ = elastic_groove(read_case(CASE, SOFT), "outer")
     area = 2 * np.pi / AROUND * (groove.bottom(1) + 3.65e-3) * 9.5e-3 * np.tile(WEIGHTS, AROUND)
     phi = found.flexible["probe_azimuth"]
     lifted = SPRINGS * area @ (outward * np.cos(phi) - sideways * np.sin(phi))
@@ -108,7 +108,7 @@ def test_a_turning_shaft_stretches_its_bore():
         inside, wave = 16.5e-3, 7800.0 * (20000 * np.pi / 30) ** 2 / (4 * 206e9)
         return 1e6 * wave * (3.3 * outside**2 + 0.7 * inside**2)
 
-    groove, shoulder = elastic_groove(read_case(CASE, on_shaft).bearing, "inner")
+    groove, shoulder = elastic_groove(read_case(CASE, on_shaft), "inner")
     assert hollow(groove.bottom(-1)) < fast - slow < hollow(shoulder)
     assert slow > 1.0  # inside of a wall that a ball bends inward
 

@@ -490,6 +490,15 @@ class FastCase(MountedCase):
         if pair is None:
             return self
         pair.require_apart(self.bearing.ball.diameter, "the ball diameter")
+        self._require_rings_of_pairs(pair)
+        if self.operation.preload:
+            raise impossible("operation.preload", "left out beside bearing.pair, which has a preload")
+        if self.bearing.cage is not None:
+            raise impossible("bearing.cage", "left out beside bearing.pair: only one row has a cage here")
+        return self
+
+    def _require_rings_of_pairs(self, pair: Pair) -> None:
+        """Raise unless two rows of balls may be between such rings."""
         for name, kinds in (("outer", ("rigid", "ring")), ("inner", ("rigid", "ring_on_shaft"))):
             if getattr(self, name).kind not in kinds:
                 raise impossible(f"{name}.kind", f'"{kinds[0]}" or "{kinds[1]}" beside bearing.pair')
@@ -500,11 +509,6 @@ class FastCase(MountedCase):
             raise impossible(name, "left out beside bearing.pair, whose rings are bonded to a housing")
         if not pair.opposed and (self.inner.kind != "rigid" or self.one_ring("outer")):
             raise impossible("bearing.pair.arrangement", "another one of two rows in one elastic ring")
-        if self.operation.preload:
-            raise impossible("operation.preload", "left out beside bearing.pair, which has a preload")
-        if self.bearing.cage is not None:
-            raise impossible("bearing.cage", "left out beside bearing.pair: only one row has a cage here")
-        return self
 
     @model_validator(mode="after")
     def _life_can_be_rated(self) -> Self:

@@ -1,7 +1,7 @@
 """Axial section of a ball between its grooves, with contact angle, shoulders and rings."""
 
 from math import acos, cos, degrees, sin
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +43,8 @@ def one_groove(words: Words) -> Drawing:
         sheet.notes.append(
             f"One row of two, {arrangement}, {1e3 * pair.distance:.4g} mm apart: that which +x presses."
         )
+        if case.one_ring("outer") or case.inner.kind != "rigid":
+            sheet.notes.append("Of a ring that has both grooves one is drawn.")
     _thrust(sheet, bearing)
     return _finished(sheet, "two points under thrust")
 
@@ -100,12 +102,12 @@ def _outer(sheet: Sheet, case: Any, groove: NDArray) -> None:
         _ring(sheet, "outer", groove, (-half, half), edge, fc=OUTER, **SCHEMATIC)
         sheet.label("outer.file", (half, edge))
     else:
-        centre = _bottom(groove)
-        left, right = (centre - outer.groove_offset + side * outer.width / 2 for side in (-1, 1))
+        middle = _between_rows(case, "outer", groove)
+        left, right = (middle - outer.groove_offset + side * outer.width / 2 for side in (-1, 1))
         ends = (left, groove[0, 1]), (right, groove[-1, 1])
         elastic_ring(sheet, outer, np.concatenate([ends[:1], groove, ends[1:]]), "groove")
         if outer.groove_offset:
-            sheet.length("outer.groove_offset", centre, centre - outer.groove_offset, groove[0, 1])
+            sheet.length("outer.groove_offset", middle, middle - outer.groove_offset, groove[0, 1])
     _shoulder(sheet, "outer", groove, 1)
     if outside:
         sheet.line([(-half, outside), (half, outside)], "outer-surface")
@@ -134,7 +136,8 @@ def _inner(sheet: Sheet, case: Any, groove: NDArray) -> None:
             for name in ("shaft", "shaft_interference"):
                 sheet.label(f"bearing.fits.{name}", (half, bore))
     else:
-        left, right = (_bottom(groove) + side * inner.width / 2 for side in (-1, 1))
+        middle = _between_rows(case, "inner", groove)
+        left, right = (middle + side * inner.width / 2 for side in (-1, 1))
         ends = (left, groove[0, 1]), (right, groove[-1, 1])
         outside = np.concatenate([ends[:1], groove, ends[1:]])
         ring_on_shaft(sheet, inner, outside, bearing.ball.diameter)
@@ -142,6 +145,11 @@ def _inner(sheet: Sheet, case: Any, groove: NDArray) -> None:
         sheet.label("bearing.fits.shaft_bore", (right, inner.shaft_bore / 2), "Ø ")
     sheet.label("bearing.fits.bore", (half, fits.bore / 2 if fits else 0.0), "Ø ")
     _shoulder(sheet, "inner", groove, -1)
+
+
+def _between_rows(case: Any, race: Literal["inner", "outer"], groove: NDArray) -> float:
+    """Middle between all grooves of a ring, of which one is drawn [m]."""
+    return _bottom(groove) - (case.bearing.row_place(race) if case.one_ring(race) else 0.0)
 
 
 def _shouldered(bearing: Any, side: str, groove: NDArray) -> NDArray:
