@@ -204,3 +204,28 @@ def test_impossible_rings_of_pairs(settings, named):
     section, _, key = named.rpartition(".")
     with pytest.raises(BadCase, match=rf"\[{section}\] {key}\b"):
         case(*settings)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(20))
+def test_random_pairs_carry_their_load(seed):
+    """Loads over three decades, preloads over one and a half, up to 25 000 rpm, thin and thick rings."""
+    draw = np.random.default_rng(seed)
+    pair = PRESSED | {
+        "bearing.pair.arrangement": draw.choice(["back_to_back", "face_to_face"]),
+        "bearing.pair.preload": f"{10 ** draw.uniform(1.5, 3)} N",
+        "operation.inner_speed": f"{draw.uniform(0, 25e3)} rpm",
+    }
+    rings = dict(HELD[draw.choice(list(HELD))])
+    if "outer.thickness" in rings:
+        rings["outer.thickness"] = f"{draw.uniform(2.4, 6)} mm"
+    size, load = 10 ** draw.uniform(1.3, 4), draw.normal(size=3)
+    load *= size / np.linalg.norm(load)
+    given = {f"operation.load.{key}": f"{force} N" for key, force in zip(
+        ("axial", "radial_y", "radial_z"), load, strict=True)}  # fmt: skip
+    if draw.random() < 0.5:
+        given |= FREE | {"operation.load.moment_y": f"{draw.normal() * size * 2e-3} N m"}
+    result = solved(rings, pair, given)
+    assert result.attributes["attempts"]["newton"]["status"] == "converged"
+    carried = forces(result.flexible, pair, bearing(case(pair)).bearing)[:3]
+    assert carried == approx(load, rel=0, abs=1e-9 * result.flexible["contact_load"].max())
