@@ -47,6 +47,7 @@ EXAMPLES = (
     Example("tapered-bearing", "Tapered roller bearing, rib of its inner ring", "32207.toml", "section",
             page="tapered-bearing"),
     Example("thrust-bearing", "Roller thrust bearing", "81110.toml", "section", page="tapered-bearing"),
+    Example("spherical-bearing", "Spherical roller bearing", "22210.toml", "section", page="tapered-bearing"),
     Example("squirrel-cage", "Squirrel cage, and ring on a hollow shaft", "mao2016.toml", "section",
             page="rings"),
     Example("squirrel-cage-bars", "Bars of the squirrel cage", "mao2016.toml", "bars", page="rings"),

@@ -77,7 +77,16 @@ _THRUST = replace(  # inclined rollers of 90 degrees; the catalogue's comparison
     report=Entry("flexbearing.report.family_report:THRUST"),
     catalogue=None,
 )
+_SPHERICAL = replace(  # two rows of inclined barrels
+    _TAPERED,
+    kind="spherical_roller",
+    case=Entry("flexbearing.case.tapered.spherical_case:SphericalCase"),
+    layout=Entry("flexbearing.quantities.spherical_roller:LAYOUT"),
+    report=Entry("flexbearing.report.family_report:SPHERICAL"),
+    profiles=None,
+)
 
 FAMILIES = {
-    family.kind: family for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE, _TAPERED, _THRUST)
+    family.kind: family
+    for family in (_ROLLER, _FOUR_POINT, _ANGULAR, _DEEP_GROOVE, _TAPERED, _THRUST, _SPHERICAL)
 }

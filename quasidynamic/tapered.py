@@ -107,11 +107,12 @@ class TaperedLoads:
         r"""Peak pressure of the slices (2, Z, K) [Pa].
 
         With the radii at each slice, of the roller R_w = (D/2 + s sin(eps))/cos(eps) and of the raceway
-        R_r = (r_m/cos(alpha) -+ R_w) at mid-contact, growing by s tan(alpha).
+        R_r = (r_m/cos(alpha) -+ R_w) at mid-contact, growing by s tan(alpha); of a barrel with its drop, of a
+        hollow raceway of radius r growing by s tan(alpha) (1 - R_r/r), which is zero of a sphere.
 
         Source
         ------
-        Hertz; normal curvature of a cone.
+        Hertz; normal curvature of a cone, and of a ring that an arc sweeps.
         """
         radii = np.array([self.reduced_radius(race) for race in (INNER, OUTER)])[:, None]
         return peak_pressure(self.slice_loads, radii, self.moduli[:, None, None])
@@ -127,8 +128,11 @@ class TaperedLoads:
         bearing, s = self.bearing, self.slices.centres
         angle, sign = (bearing.cone_angle, 1.0) if race == INNER else (bearing.cup_angle, -1.0)
         taper, middle = bearing.taper, bearing.roller.diameter / 2 / np.cos(bearing.taper)
-        roller = middle + s * np.tan(taper)
-        raceway = bearing.pitch_diameter / 2 / np.cos(angle) - sign * middle + s * np.tan(angle)
+        roller, hollow = middle + s * np.tan(taper), bearing.hollows[race]
+        raceway = bearing.pitch_diameter / 2 / np.cos(angle) - sign * middle
+        raceway = raceway + s * np.tan(angle) * (1 - raceway * hollow)
+        if hollow:
+            roller = roller - bearing.roller.profile.drop(s, bearing.roller.length)
         return 1 / (1 / roller + sign / raceway)
 
     @cached_property
@@ -303,7 +307,8 @@ def _start(
     approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.mean(model.drops)))
     pressed = bearing.side * places[0]
     if bearing.opposed:
-        pressed = bearing.rows[0].closer  # by each other, or apart by a play that the thrust takes up
+        # by each other, or apart by a play that the thrust takes up
+        pressed = bearing.rows[0].closer - model.gap / steep
         places[0] = places[0] if held[0] else np.sign(load[0]) * max(-pressed, 0.0)
     elif not held[0]:
         places[0] = bearing.side * (approach + model.gap) / steep

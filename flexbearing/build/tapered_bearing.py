@@ -34,6 +34,7 @@ def bearing(case: TaperedCase) -> qd.TaperedRollerBearing:
         else spherical_rib(roller, axis, own.rib.angle, own.rib.end_radius, ring),
         inner_ring=ring,
         outer_ring=profiles.elastic(case.materials.outer_ring),
+        clearance=own.radial_clearance,
         contact_law=own.contact_law,
         first_roller_azimuth=own.first_roller_azimuth,
         inner_profile=profiles.of_raceway(case, "inner"),

@@ -31,6 +31,7 @@ TAPERED_SIZES = (
     "bearing.rollers",
     "bearing.pitch_diameter",
     "bearing.cup_angle",
+    "bearing.contact_angle",  # in place of that of the cup
     "bearing.roller.diameter",
     "bearing.roller.length",
 )

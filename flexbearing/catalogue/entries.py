@@ -44,9 +44,9 @@ ENTRIES = {
         example="53.5 mm",
     ),
     "angle": Entry(
-        "--contact-angle", "nominal contact angle, of a cup by tan = e/1.5", "", "Angle", example="40 deg"
+        "--contact-angle", "nominal contact angle, of a cup or barrels by tan = e/1.5", "", "Angle", example="40 deg"
     ),
-    "elements": Entry("--elements", "number of rollers or balls", "-Z", example="16"),
+    "elements": Entry("--elements", "number of rollers or balls, of each row", "-Z", example="16"),
     "diameter": Entry("--diameter", "diameter of the rollers or balls", "--Dw", "Length", example="11 mm"),
     "length": Entry("--length", "effective length of the rollers", "--lw", "Length", example="11.2 mm"),
     "dynamic_rating": Entry(
@@ -157,6 +157,12 @@ LIKES = {
         (*_SIZE, "axial", "speed"),
         (),
         (*_RATINGS, "pitch_diameter", *_ROLLING, *_OIL, "outer_speed"),
+    ),
+    "spherical_roller": Like(
+        "spherical_roller",
+        (*_SIZE, "angle", "load", "speed"),
+        (),
+        (*_RATINGS, "pitch_diameter", *_ROLLING, *_OIL, "clearance", "axial", "outer_speed"),
     ),
     "four_point_ball": Like(  # there are no load ratings of two contacts on a ring
         "four_point_ball",

@@ -13,7 +13,9 @@ WIDTH = 110  # characters of a line
 COLUMN = 40  # where short comments begin
 THUMB = "rule of thumb"
 RATED = "C_0 of the maker by ISO 76"
-WITHOUT_CLEARANCE = "angular_contact_ball", "tapered_roller", "thrust_roller"  # that has a contact angle
+WITHOUT_CLEARANCE = (  # classes of ISO 5753-1: their clearance follows from the contact angle, or is stated
+    "angular_contact_ball", "tapered_roller", "thrust_roller", "spherical_roller"
+)  # fmt: skip
 CHOSEN = "chosen, no catalogue has it"  # load, speed, fits, oil
 
 

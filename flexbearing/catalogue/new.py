@@ -88,7 +88,7 @@ def _lines(page: Page) -> tuple[list[Line], str]:
 
         rollers = roller_set(page)
         return roller_lines.lines(page, rollers), table(page, rollers, "length")
-    if page.like in ("tapered_roller", "thrust_roller"):
+    if page.like in ("tapered_roller", "thrust_roller", "spherical_roller"):
         from flexbearing.catalogue import tapered_lines
         from flexbearing.catalogue.tapered_set import tapered_set
 

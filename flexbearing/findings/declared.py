@@ -21,6 +21,7 @@ from flexbearing.findings.neglected import (
 )
 from flexbearing.findings.running import (
     CLEARANCE,
+    CUT_ELLIPSE,
     FILM_RATIO,
     GYROSCOPIC_MOMENT,
     GYROSCOPIC_SLIP,
@@ -101,13 +102,14 @@ OF_TAPERED = (
 OF_THRUST_ROLLERS = tuple(  # which makers give another least load; washers hold no ring along y and z
     each for each in OF_TAPERED if each not in (LIGHT_LOAD_OF_ROLLERS, RIB_CONTACT, LEAST_STIFFNESS)
 )
+OF_SPHERICAL_ROLLERS = (*(each for each in OF_TAPERED if each is not RIB_CONTACT), CUT_ELLIPSE)
 OF_SLOW_BALLS = (  # which need no load against skidding
     *(finding for finding in OF_BALLS if finding is not LIGHT_LOAD_OF_BALLS),
     GYROSCOPIC_SLIP,
     SMALL_OSCILLATION,
 )
 OF_SPEEDS = (LIMITING_SPEED, REFERENCE_SPEED)  # of a maker's table, which a selection judges
-DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED, *OF_SPEEDS)))
+DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED, *OF_SPHERICAL_ROLLERS, *OF_SPEEDS)))
 
 
 def of_selection(rollers: bool) -> tuple[Finding, ...]:

@@ -117,6 +117,13 @@ PRESSED_ENDS = Finding(
     action="compute whole contacts, or take a profile that relieves the ends",
     keys=(("bearing.contact", "half_space"),),
 )  # fmt: skip
+CUT_ELLIPSE = Finding(
+    code="contact-at-roller-end", label="pressure at the ends of rollers over the largest one",
+    quantity="end_pressure", at_most=0.745, grade=OUTSIDE, unit="1", of_model=True,
+    source="there the ellipse is 1.5 times as long as the roller: edge loading of Lundberg and Palmgren",
+    meaning="the roller ends inside its contact: the pressure at its edge is larger than slices have",
+    action="take a smaller osculation, longer rollers or a lower load",
+)  # fmt: skip
 RIB_CONTACT = Finding(
     code="rib-contact", label="reach of the rib contact on the roller's end, over its radius",
     quantity="rib_reach", at_most=1.0, grade=OUTSIDE, source="there the end is chamfered", of_model=True,

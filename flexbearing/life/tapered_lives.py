@@ -26,6 +26,7 @@ from quasidynamic.outcome.rating_life import (
 )
 from quasidynamic.outcome.tapered_life import (
     InclinedRow,
+    SphericalRow,
     axial_factor,
     induced_thrust,
     load_limit,
@@ -79,7 +80,8 @@ def loads_rated(case: TaperedCase, loads: TaperedLoads) -> LoadsRated:
 
 def rated_row(bearing: TaperedRollerBearing) -> InclinedRow:
     """The rows of a bearing as ratings see them."""
-    return (ThrustRow if bearing.cup_angle > STEEPEST else InclinedRow).of(bearing)
+    kind = ThrustRow if bearing.cup_angle > STEEPEST else SphericalRow if any(bearing.hollows) else InclinedRow
+    return kind.of(bearing)
 
 
 def _unloading_force(case: TaperedCase, loads: TaperedLoads) -> float | None:
@@ -169,8 +171,8 @@ def _rating(case: TaperedCase, now: InclinedRow, name: str) -> Rating:
 
 def _rated(case: TaperedCase, now: InclinedRow, name: str) -> InclinedRow:
     """The row for which a rating of the case was given."""
-    rollers, pitch, angle, diameter, length = as_written(case, f"life.{name}", TAPERED_SIZES)
-    angle = now.contact_angle if angle is None else angle
+    rollers, pitch, cup, angle, diameter, length = as_written(case, f"life.{name}", TAPERED_SIZES)
+    angle = next((each for each in (cup, angle) if each is not None), now.contact_angle)
     length = case.bearing.roller.length if length is None else length
     diameter = case.bearing.roller.diameter if diameter is None else diameter
     roller = replace(now.roller, diameter=diameter, length=length * now.projection(angle))

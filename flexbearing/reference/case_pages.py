@@ -19,7 +19,7 @@ from flexbearing.studies.file.slurm_profile import SlurmProfile
 from flexbearing.studies.file.values import MOST, RANGE
 
 ROLLERS = ("cylindrical_roller",)
-TAPERED = ("tapered_roller", "thrust_roller")
+TAPERED = ("tapered_roller", "thrust_roller", "spherical_roller")
 BALLS = ("four_point_ball", "angular_contact_ball", "deep_groove_ball")
 
 
@@ -36,7 +36,7 @@ class Page:
 PAGES = (  # a table is on the first page that takes it
     Page("fits", "Fits and temperatures", ("bearing.fits*", "operation.temperatures*")),
     Page("roller-bearing", "Cylindrical roller bearing", ("bearing*",), ROLLERS),
-    Page("tapered-bearing", "Tapered and thrust roller bearings", ("bearing*",), TAPERED),
+    Page("tapered-bearing", "Tapered, thrust and spherical roller bearings", ("bearing*",), TAPERED),
     Page("ball-bearing", "Ball bearings", ("bearing*",), BALLS),
     Page("materials", "Materials", ("materials*",)),
     Page("lubricant", "Oil", ("lubricant*",)),

@@ -74,6 +74,7 @@ _KINDS = {
     "cylindrical_roller": ("roller", "Results of cylindrical roller bearings"),
     "tapered_roller": ("tapered", "Results of tapered roller bearings"),
     "thrust_roller": ("thrust", "Results of roller thrust bearings"),
+    "spherical_roller": ("spherical", "Results of spherical roller bearings"),
     "four_point_ball": ("four-point", "Results of four-point ball bearings"),
     "angular_contact_ball": ("ball", "Results of angular-contact and deep groove ball bearings"),
 }

@@ -49,6 +49,7 @@ SHORT = {
     "deep_groove_ball": "deep groove",
     "tapered_roller": "tapered",
     "thrust_roller": "thrust",
+    "spherical_roller": "spherical",
 }
 
 

@@ -162,3 +162,4 @@ TAPERED = FamilyReport(
     short={"loads": "roller_loads", "pressure": "pressure_along"},
 )
 THRUST = replace(TAPERED, drawings=Entry("flexbearing.report.drawing.of_case:of_thrust_rollers"))
+SPHERICAL = replace(TAPERED, drawings=Entry("flexbearing.report.drawing.of_case:of_spherical_rollers"))

@@ -194,7 +194,7 @@ def _counts(case: Any) -> tuple[tuple[Other, ...], str]:
     beside = (bearing.rollers - 1, bearing.rollers + 1)
     if "bearing.roller.length" not in case.assumed:
         return tuple(_set(path, count) for count in beside), "one less, one more"
-    spacing = TAPERED_SPACING if case.kind == "tapered_roller" else SPACING
+    spacing = TAPERED_SPACING if case.kind in ("tapered_roller", "spherical_roller") else SPACING
     fitting = plausible_numbers(bearing.roller.diameter / bearing.pitch_diameter, spacing)
     ends = [count for count in (fitting[0], fitting[-1]) if count != bearing.rollers]
     others = []

@@ -20,6 +20,7 @@ from flexbearing.program.threads import linear_algebra_alone
 from flexbearing.progress import Logged, Report
 from flexbearing.quantities.layout import Layout
 from flexbearing.quantities.quantity import row, taken
+from flexbearing.quantities.spherical_roller import LAYOUT as OF_SPHERICAL
 from flexbearing.quantities.tapered import LAYOUT
 from flexbearing.quantities.thrust_roller import LAYOUT as OF_THRUST
 from flexbearing.results import Recorder
@@ -41,8 +42,15 @@ from quasidynamic.outcome.worst_line_contact import WorstLineContact
 from quasidynamic.tapered_friction import TaperedFriction
 
 NOT_SOLVED = "not solved"
-LAYOUTS: dict[str, Layout] = {"tapered_roller": LAYOUT, "thrust_roller": OF_THRUST}
-WORDS = {"tapered_roller": "tapered rollers", "thrust_roller": "rollers"}
+LAYOUTS: dict[str, Layout] = {
+    "tapered_roller": LAYOUT, "thrust_roller": OF_THRUST, "spherical_roller": OF_SPHERICAL
+}  # fmt: skip
+WORDS = {"tapered_roller": "tapered rollers", "thrust_roller": "rollers", "spherical_roller": "barrels"}
+FINDINGS = {
+    "tapered_roller": declared.OF_TAPERED,
+    "thrust_roller": declared.OF_THRUST_ROLLERS,
+    "spherical_roller": declared.OF_SPHERICAL_ROLLERS,
+}
 
 
 @dataclass(frozen=True)
@@ -212,8 +220,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
     """The solution against the limits of roller bearings."""
     case, loads, rated, lives = solution.case, solution.loads, solution.rated, solution.lives
     own = tapered_lives.rated(case)
-    thrust = case.kind == "thrust_roller"
-    letters = rated_bearing.THRUST_LETTERS if thrust else rated_bearing.LETTERS
+    letters = rated_bearing.THRUST_LETTERS if case.kind == "thrust_roller" else rated_bearing.LETTERS
     values: dict[str, Any] = {
         **judged.pressures(solution.worst.pressure, ROLLERS),
         "static_safety": rated.static_safety,
@@ -221,6 +228,7 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
         "rated_viscosity_ratio": own.rated_kappa,
         "least_stiffness": judged.least_stiffness(loads.stiffness[None, 1:3, 1:3]),
         "neglected": _neglected(solution),
+        "end_pressure": _end_pressure(loads),
         "rib_reach": loads.rib_reach.max() / (loads.bearing.roller.diameter / 2),
         **rated_bearing.rating_ratios([own.given], letters),
         **rated_bearing.rating_changes([own.given], letters),
@@ -232,7 +240,13 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
             "dynamic_rating": rated.dynamic,
             **judged.lives(life / MREV, loads.operation.relative_speed, [case.life.required]),
         }
-    return evaluate(declared.OF_THRUST_ROLLERS if thrust else declared.OF_TAPERED, values)
+    return evaluate(FINDINGS[case.kind], values)
+
+
+def _end_pressure(loads: TaperedLoads) -> float:
+    """Pressure at the ends of rollers over the largest one of their raceway [-]."""
+    peak = loads.pressures.max(axis=(1, 2))
+    return float((loads.pressures[..., [0, -1]].max(axis=(1, 2)) / np.where(peak > 0, peak, 1.0)).max())
 
 
 def _neglected(solution: Solution) -> dict[str, float]:

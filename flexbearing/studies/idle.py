@@ -79,10 +79,11 @@ def _is_unloaded(case: Any, own: dict[str, Any]) -> bool:
     if pair is not None and (pair.preload or (pair.offset or 0.0) > 0):
         return False
     try:
-        if case.kind in ("tapered_roller", "thrust_roller"):  # nothing presses a free ring on its rollers
+        if case.kind in ("tapered_roller", "thrust_roller", "spherical_roller"):
             from flexbearing.build.tapered_bearing import bearing
 
-            return not case.bearing.opposed or bearing(case).rows[0].closer <= 0
+            apart = case.bearing.radial_clearance >= 0 and bearing(case).rows[0].closer <= 0
+            return apart or not case.bearing.opposed  # nothing presses a free ring on its rollers
         tilted = (
             abs(operation.model_copy(update={"radial_load": 0.0}).slope) * case.bearing.roller.length
             if case.kind == clearance.ROLLERS

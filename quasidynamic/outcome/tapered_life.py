@@ -1,6 +1,7 @@
-"""Ratings, equivalent loads and life of a tapered roller bearing."""
+"""Ratings, equivalent loads and life of tapered and spherical roller bearings."""
 
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from quasidynamic.outcome.rating_life import EquivalentLoad
 from quasidynamic.parts.roller_bearing import Roller
 from quasidynamic.parts.tapered_bearing import TaperedRollerBearing
 
+SPHERICAL_MATERIAL_FACTOR = 1.15  # b_m of spherical roller bearings
+
 
 @dataclass(frozen=True)
 class InclinedRow:
@@ -24,6 +27,7 @@ class InclinedRow:
     pitch_diameter: float  # [m]
     contact_angle: float  # [rad] of the cup
     row_count: int = 1
+    material_factor: ClassVar[float] = MATERIAL_FACTOR
 
     @classmethod
     def of(cls, bearing: TaperedRollerBearing) -> "InclinedRow":
@@ -50,9 +54,9 @@ class InclinedRow:
 
         Source
         ------
-        ISO 281 (2007), b_m = 1.1 of tapered roller bearings.
+        ISO 281 (2007), b_m = 1.1 of tapered roller bearings, 1.15 of spherical ones.
         """
-        return dynamic_rating(self, MATERIAL_FACTOR)
+        return dynamic_rating(self, self.material_factor)
 
     @property
     def static_rating(self) -> float:
@@ -80,6 +84,12 @@ class InclinedRow:
         inner, outer = reference_raceway_capacity(self, rating)
         cosine = float(np.cos(self.contact_angle))
         return inner / cosine, outer / cosine
+
+
+class SphericalRow(InclinedRow):
+    """Barrels of a spherical roller bearing as ratings see them."""
+
+    material_factor = SPHERICAL_MATERIAL_FACTOR
 
 
 def load_limit(contact_angle: float) -> float:

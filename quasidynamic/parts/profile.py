@@ -80,6 +80,27 @@ class TangentCrowned:
         return outside**2 / (self.crown_radius + np.sqrt(self.crown_radius**2 - outside**2))
 
 
+@dataclass(frozen=True, kw_only=True)
+class Hollow:
+    r"""A hollow raceway along the rollers, one circle: it comes closer towards their ends.
+
+    .. math:: C = -(r - \sqrt{r^2 - x^2}) = -\frac{x^2}{r + \sqrt{r^2 - x^2}}
+
+    Source
+    ------
+    Geometry. With a barrel of R < r the drops of both add up to about x^2/2 (1/R - 1/r) >= 0.
+    """
+
+    radius: float  # [m] r of the generatrix
+
+    def __post_init__(self):
+        require_positive("raceway radius", self.radius)
+
+    def drop(self, position: NDArray, length: NDArray | float) -> NDArray:
+        """Drop [m], <= 0."""
+        return -(position**2) / (self.radius + np.sqrt(self.radius**2 - position**2))
+
+
 def _require_circle(straight_length: float, crown_radius: float) -> None:
     if straight_length < 0:
         raise ImpossiblePart(f"straight_length = {straight_length} must not be negative")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from quasidynamic.errors import ImpossiblePart, require_positive
 from quasidynamic.parts.angular_contact_bearing import RowPlace
 from quasidynamic.parts.material import Material, contact_modulus
-from quasidynamic.parts.profile import STRAIGHT, Profile, Straight
+from quasidynamic.parts.profile import STRAIGHT, Hollow, Profile, Straight
 from quasidynamic.parts.roller_bearing import Roller
 
 MOST_TAPER = 0.2  # [rad] half angle of a roller, for which it may count as a cylinder in its inertia; assumed
@@ -277,6 +277,15 @@ class TaperedRollerBearing:
         return not isinstance(self.roller.profile, Straight) or not any(
             isinstance(each, Straight) for each in raceways
         )
+
+    @property
+    def hollows(self) -> tuple[float, float]:
+        """Curvature of the generatrix of hollow raceways, inner and outer [1/m]; 0 of any other."""
+        inner, outer = (
+            1 / profile.radius if isinstance(profile, Hollow) else 0.0
+            for profile in (self.inner_profile, self.outer_profile)
+        )
+        return inner, outer
 
     def drop(self, race: int, position: NDArray, length: NDArray | float) -> NDArray:
         """Drop of roller and raceway together [m], see `CylindricalRollerBearing.drop`.

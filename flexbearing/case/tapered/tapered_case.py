@@ -94,6 +94,11 @@ class RollersOnCircle(Section):
         return self.rollers
 
     @property
+    def radial_clearance(self) -> float:
+        """Clearance on the diameter [m], 0 of rings that touch the rollers where they are at zero."""
+        return 0.0
+
+    @property
     def narrowest(self) -> float:
         """Diameter of the circle on which neighbouring rollers are closest [m]."""
         return self.pitch_diameter

@@ -26,6 +26,7 @@ LIKE = {  # kinds of bearing that a case can be written for
     "four_point_contact_ball_bearing": "four_point_ball",
     "radial_needle_roller_bearing": "needle_roller",
     "radial_tapered_roller_bearing": "tapered_roller",
+    "radial_self_aligning_roller_bearing": "spherical_roller",
     "axial_roller_bearing": "thrust_roller",
     "axial_needle_roller_bearing": "thrust_roller",
 }
@@ -111,7 +112,8 @@ def bearing(model: Model, part: Part) -> Bearing:
     """
     if not is_computable(part):
         raise BadCase(f"bearing_type {kind_of(part)!r} is none of {', '.join(LIKE)}.")
-    like, row = LIKE[part.text_of("bearing_type")], _row(model, part)
+    like = LIKE[part.text_of("bearing_type")]
+    row = _row(model, part, 2 if like == "spherical_roller" else 1)
     element = model.one_of("ordered_assembly", row, "assembly", "part", ELEMENT)
     known, side = oriented(points(model, part), like)
     point = heaviest(known)
@@ -142,12 +144,12 @@ def bearing(model: Model, part: Part) -> Bearing:
     )
 
 
-def _row(model: Model, part: Part) -> Part | None:
-    """The only row of rolling elements, where the model has it."""
+def _row(model: Model, part: Part, most: int) -> Part | None:
+    """The row of rolling elements, where the model has it; one of as many alike as the kind has at most."""
     rows = [each for each in model.all_of("ordered_assembly", part, "assembly", "part") if each.kind == ROW]
     count = max(part.number_of("number_of_bearing_rows", "none") or 1, len(rows))
-    if count > 1:
-        raise BadCase(f"has {count:g} rows of rolling elements; a case that is made from a model has one.")
+    if count > most:
+        raise BadCase(f"has {count:g} rows of rolling elements; a case that is made from a model has {most}.")
     return rows[0] if rows else None
 
 
@@ -157,7 +159,7 @@ def _designation(part: Part) -> str:
 
 def _entries(like: str, part: Part, row: Part | None, element: Part | None) -> Iterator[Entry]:
     """Entries with numbers; the last of a name counts."""
-    if like == "tapered_roller" and (e := part.number_of("catalogue_value_e", "none")):
+    if like in ("tapered_roller", "spherical_roller") and (e := part.number_of("catalogue_value_e", "none")):
         yield "angle", f"{degrees(atan(e / 1.5)):.12g} deg", part.number, "catalogue_value_e"
     yield from _numbers(part, OF_BEARING)
     if element:

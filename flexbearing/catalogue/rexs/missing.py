@@ -11,6 +11,7 @@ Guess = tuple[str, str, str]  # name, text and reason of an entry
 USUAL_LOAD = 0.1  # of C: a bearing of usual life
 USUAL_ANGLE = {
     "angular_contact_ball": ("40 deg", "usual of angular contact bearings"),
+    "spherical_roller": ("9.1 deg", "usual of series 222; e = 0.24"),
     "tapered_roller": ("14 deg", "usual of tapered roller bearings; e = 0.37"),
 }
 

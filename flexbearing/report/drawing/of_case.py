@@ -10,6 +10,7 @@ from flexbearing.report.drawing import (
     cage_pocket,
     profiles,
     roller_section,
+    spherical_section,
     tapered_section,
     thrust_section,
 )
@@ -51,6 +52,12 @@ def of_thrust_rollers(words: Words) -> Iterator[Drawing]:
     yield thrust_section.section(words)
     yield along_axis.thrust_rollers(words)
     yield from _profiles(words)
+
+
+def of_spherical_rollers(words: Words) -> Iterator[Drawing]:
+    """Section and view along the axis."""
+    yield spherical_section.section(words)
+    yield along_axis.tapered_rollers(words)
 
 
 def _profiles(words: Words) -> Iterator[Drawing]:

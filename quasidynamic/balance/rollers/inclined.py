@@ -65,6 +65,7 @@ class InclinedRollers:
     rib_drop: NDArray | float = 0.0  # (Z) [m] by which an elastic ring takes its rib away
     opposite: NDArray | None = None  # (3) of a rib of the outer ring at the other end, as of `normals` [-]
     opposite_stiffness: float = 0.0  # [N/m^1.5] of that rib
+    hollows: tuple[float, float] = (0.0, 0.0)  # [-] half length of the rollers over the radius of raceways
 
     @classmethod
     def of(cls, bearing: "TaperedRollerBearing", slices: Slices, dead: NDArray) -> "InclinedRollers":
@@ -106,6 +107,7 @@ class InclinedRollers:
             ),
             shifts=_shifts(bearing),
             dead=dead,
+            hollows=(bearing.hollows[INNER] * half, bearing.hollows[OUTER] * half),
         )
 
     @cached_property
@@ -115,9 +117,23 @@ class InclinedRollers:
 
     @cached_property
     def levers(self) -> NDArray:
-        """Unit displacements of a section to the mean and the turn of its approach (2, 2, 3) [-]."""
+        r"""Unit displacements of a section to the mean and the turn of its approach (2, 2, 3) [-].
+
+        .. math:: \delta = N \cdot u \pm s\, \vartheta \Big(1 - \frac{D}{2 r}\Big) + s\, \frac{T \cdot u}{r}
+
+        (upper sign outer) with T along the roller's axis to its large end: a barrel that moves along its axis comes
+        closer to a hollow raceway of radius r at one end.
+
+        Source
+        ------
+        Geometry of two circles that nearly osculate, to first order; derived here. Straight raceways: 1/r = 0.
+        """
         mean = self.normals[:2] * [1.0, 1.0, 0.0]
         turn = self.normals[:2] * [0.0, 0.0, 1.0]
+        for race, hollow in enumerate(self.hollows):
+            if hollow:
+                along = np.array([mean[OUTER, 1], -mean[OUTER, 0], 0.0])
+                turn[race] = turn[race] * (1.0 - self.radius * hollow) + hollow * along
         return np.stack([mean, turn], axis=1)
 
     @cached_property
