@@ -84,6 +84,7 @@ _SPHERICAL = replace(  # two rows of inclined barrels
     layout=Entry("flexbearing.quantities.spherical_roller:LAYOUT"),
     report=Entry("flexbearing.report.family_report:SPHERICAL"),
     profiles=None,
+    catalogue=Entry("flexbearing.life.tapered_influences:SPHERICAL"),
 )
 
 FAMILIES = {

@@ -67,6 +67,8 @@ def _balance(result: Any, block: Any, lost: float) -> Iterator[str]:
     """Every balance of rollers, ring and cage closes; balls and cones carry what the ring bears."""
     if "inner_load" in block and _case(result)["kind"] == "thrust_roller":
         yield from _between_washers(result, block, lost)
+    elif "inner_load" in block and _case(result)["kind"] == "spherical_roller":
+        yield from _in_sphere(result, block, lost)
     elif "inner_load" in block and _case(result)["kind"] == "tapered_roller":
         yield from _inclined(result, block, lost)
     elif "inner_load" in block and "roller_azimuth" in block:
@@ -119,6 +121,35 @@ def _between_washers(result: Any, block: Any, lost: float) -> Iterator[str]:
     size = max(outer.max(), 1e-12)
     if np.abs(inner - outer).max() > lost * size or abs(inner.sum() - block["ring_load"][0]) > lost * size:
         yield f"washers carry {inner.sum():.6g} and {outer.sum():.6g} N, or rollers unlike loads"
+    yield from _loaded_as_given(result, block, lost * size)
+
+
+def _in_sphere(result: Any, block: Any, lost: float) -> Iterator[str]:
+    """Barrels are in balance along and across their axes and about them; outer loads carry that of the ring."""
+    bearing, places = _case(result)["bearing"], block["slice_position"]
+    angle, diameter, length = bearing["contact_angle"], bearing["roller"]["diameter"], bearing["roller"]["length"]
+    sphere = (bearing["pitch_diameter"] / np.cos(angle) + diameter) / 2
+    groove = bearing["outer_osculation"] * sphere / bearing["inner_osculation"]
+    inner, outer = (block[f"{race}_slice_load"] * length / len(places) for race in ("inner", "outer"))
+    sides = 2 * block["roller_row"] - 1
+    axial = sides * (outer.sum(1) * np.sin(angle) - outer @ places / sphere * np.cos(angle))
+    radial = outer.sum(1) * np.cos(angle) + outer @ places / sphere * np.sin(angle)
+    azimuth, inertia = block["roller_azimuth"], block["centrifugal_force"] * np.cos(angle)
+    on_ring = np.array([axial.sum(), radial @ np.sin(azimuth), radial @ np.cos(azimuth)])
+    left = {
+        "across rollers": outer.sum(1) - inner.sum(1) - inertia,
+        "along rollers": outer @ places / sphere + inner @ places / groove,
+        "of moments": (
+            (outer @ places * (1 - diameter / 2 / sphere) - inner @ places * (1 - diameter / 2 / groove))
+            - block["gyroscopic_moment"]
+        )
+        / length,
+        "on the ring": on_ring - block["ring_load"][:3],
+    }
+    size = max(block["outer_load"].max(), 1e-12)
+    for name, forces in left.items():
+        if np.abs(forces).max() > lost * size:
+            yield f"forces {name} leave {np.abs(forces).max():.3g} N of {size:.6g} N"
     yield from _loaded_as_given(result, block, lost * size)
 
 

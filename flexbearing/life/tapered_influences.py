@@ -24,7 +24,13 @@ RATING = (
         "0.83 of C_r for loads that are uneven along the rollers.",
     ),
 )
-INFLUENCES = (
+_SPHERICAL = Influence(
+    "loads of all slices of the barrels, without inertia",
+    {},
+    "The loads of all slices of both rows instead of one load P, without the factor 0.83 of C_r for loads that are "
+    "uneven along the rollers.",
+)
+_SHAPE = (
     Influence(
         "profile of rollers and raceways",
         {
@@ -44,14 +50,19 @@ INFLUENCES = (
         },
         "A ring that turns, or is held askew, presses the rollers at one end.",
     ),
+)
+_FURTHER = (
     Influence(
         "inertia of the rollers at speed",
         {"materials.roller.density": WEIGHTLESS},
-        "Centrifugal forces press the rollers to the cup and the rib.",
+        "Centrifugal forces press the rollers to the cup and a rib.",
     ),
     LUBRICATION,
     RELIABILITY,
 )
 
 
-CATALOGUE = Catalogue(RATING, lambda case: INFLUENCES, require_known_forces, tapered_lives.rated)
+CATALOGUE = Catalogue(RATING, lambda case: (*_SHAPE, *_FURTHER), require_known_forces, tapered_lives.rated)
+SPHERICAL = Catalogue(
+    (RATING[0], _SPHERICAL), lambda case: _FURTHER, require_known_forces, tapered_lives.rated
+)

@@ -43,14 +43,14 @@ def built(case):
     """Fields of everything that the case is built into, by dotted names."""
     FAMILIES[case.kind].build()(case)
     makers = {"cylindrical_roller": _roller, "four_point_ball": _four_point, "tapered_roller": _tapered}
-    makers["thrust_roller"] = _tapered
+    makers |= dict.fromkeys(("thrust_roller", "spherical_roller"), _tapered)
     models = makers.get(case.kind, _angular)(case)
     models["case"] = {
         path: value
         for path, value in leaves(case.model_dump())
         if path.startswith(DIRECT)
         or path in ("bearing.contact", "bearing.rib.friction")
-        or (case.kind in ("tapered_roller", "thrust_roller") and path == "accuracy.slices")
+        or (case.kind in ("tapered_roller", "thrust_roller", "spherical_roller") and path == "accuracy.slices")
     }
     return dict(leaves(models))
 

@@ -1,6 +1,7 @@
 """Contexts of tapered roller bearings in `case_key_effects`, and the profiles that all rollers have."""
 
 from flexbearing.case.declarations import declared
+from flexbearing.case.tapered.spherical_case import SphericalCase
 from flexbearing.case.tapered.thrust_case import ThrustCase
 from tests.flexbearing.case_key_effects import spelt_out
 
@@ -94,6 +95,20 @@ CONTEXTS = {
     },
 }  # fmt: skip
 
+_BARRELS = {f"materials.{part}": _STEEL for part in ("roller", "inner_ring", "outer_ring")}
+_RATED = {**_BARRELS, "life.lubrication": "a_ISO", "life.cleanliness": "grease, normal cleanliness",
+          "lubricant.inlet_temperature": "60 degC"}  # fmt: skip
+CONTEXTS |= {
+    "spherical": ("22210", _BARRELS),
+    "spherical, held": ("22210", {
+        **_BARRELS, "operation.load.axial": "0 N", "operation.load.radial_z": "0 N",
+        "operation.displacement": {"axial": "20 um", "radial_y": "1 um", "radial_z": "2 um"}}),
+    "spherical, rated": ("22210", {**_RATED, "lubricant.oil": "ISO VG 32"}),
+    "spherical, oil by its data": ("22210", {
+        **_RATED, "lubricant.viscosity": "10 mPa s", "lubricant.density": "870 kg/m^3"}),
+    "spherical, data sheet": ("22210", {**_RATED, **_SHEET}),
+}  # fmt: skip
+
 _WASHERS = {  # rollers of the tapered bearing between washers
     **{key: value for key, value in CONTEXTS["tapered"][1].items() if key != "bearing.cone_angle"},
     "bearing.rollers": 17, "bearing.pitch_diameter": "90 mm", "bearing.roller.diameter": "8.8 mm",
@@ -116,11 +131,40 @@ CONTEXTS |= {
 }  # fmt: skip
 
 
-def of_thrust(effects):
-    """Rows of tapered rollers that hold between washers, where no rib changes."""
-    keys = {item.path for item in declared(ThrustCase)}
+_CIRCLES = "{inner_profile.radius,outer_profile.radius,roller.profile.crown_radius}"
+_OF_BARRELS = (  # key, value, its fields below model.bearing
+    ("rollers", 17, "rollers"),
+    ("pitch_diameter", "71 mm", f"pitch_diameter rows.{{0.axial,1.axial}} {_CIRCLES}"),
+    ("contact_angle", "9.1 deg",
+     f"cone_angle cup_angle rib.angle rows.{{0.axial,1.axial}} {_CIRCLES}"),
+    ("outer_osculation", 0.96, "inner_profile.radius roller.profile.crown_radius"),
+    ("inner_osculation", 0.96, "inner_profile.radius"),
+    ("clearance", "21 um", "clearance"),
+    ("contact_law", "palmgren", "contact_law"),
+    ("first_roller_azimuth", "1 deg", "first_roller_azimuth"),
+    ("roller.diameter", "10.9 mm", f"roller.diameter {_CIRCLES}"),
+    ("roller.length", "7.4 mm", "roller.length"),
+)  # fmt: skip
+
+
+def _shared(effects, kind, case):
+    """Rows of tapered rollers with keys that another kind has, where no rib changes."""
+    keys = {item.path for item in declared(case)}
     for context, key, value, names in effects:
-        if context.startswith("tapered") and key in keys:
-            other = "91 mm" if key == "bearing.pitch_diameter" else value
+        there = context.replace("tapered", kind)
+        if context.startswith("tapered") and key in keys and there in CONTEXTS:
             each = (name for part in names.split() for name in spelt_out(part) if ".rib." not in name)
-            yield context.replace("tapered", "thrust"), key, other, " ".join(each)
+            yield there, key, value, " ".join(each)
+
+
+def of_thrust(effects):
+    """Rows of rollers between washers."""
+    for context, key, value, names in _shared(effects, "thrust", ThrustCase):
+        yield context, key, "91 mm" if key == "bearing.pitch_diameter" else value, names
+
+
+def of_spherical(effects):
+    """Rows of barrels in a sphere."""
+    yield from (row for row in _shared(effects, "spherical", SphericalCase) if row[1][:8] != "bearing.")
+    for key, value, names in _OF_BARRELS:
+        yield "spherical", f"bearing.{key}", value, " ".join(f"model.bearing.{name}" for name in names.split())

@@ -41,6 +41,7 @@ def test_kind_decides_what_a_case_is():
         DEEP_GROOVE,
         CONFIGS / "32207.toml",
         CONFIGS / "81110.toml",
+        CONFIGS / "22210.toml",
     )
     assert {read_case(file).kind for file in files} == set(FAMILIES)
 

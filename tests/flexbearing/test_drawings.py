@@ -102,6 +102,7 @@ KINDS = {
     "tapered, angle of the cone": ("32207.toml", ["bearing.cone_angle=10 deg"]),
     "crossed": ("crossed_roller.toml", []),
     "thrust": ("81110.toml", []),
+    "spherical": ("22210.toml", []),
     "four points": ("joshi2015_qj309.toml", []),
     "one ball": ("heras2017_a1.toml", []),
     "bolted": ("slewing_bolted.toml", []),

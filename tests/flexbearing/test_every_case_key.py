@@ -25,6 +25,7 @@ TAPERED = ("32207",)
 FILES = {
     "cylindrical_roller": ROLLERS, "four_point_ball": SLOW, "angular_contact_ball": FAST,
     "deep_groove_ball": DEEP_GROOVE, "tapered_roller": TAPERED, "thrust_roller": ("81110",),
+    "spherical_roller": ("22210",),
 }  # fmt: skip
 
 _HEAT = {f"operation.temperatures.{name}": value for name, value in {
@@ -353,7 +354,7 @@ CONTEXTS |= {
 }
 
 CONTEXTS |= tapered_contexts.CONTEXTS
-EFFECTS = (*ROWS, *tapered_contexts.of_thrust(ROWS))
+EFFECTS = (*ROWS, *tapered_contexts.of_thrust(ROWS), *tapered_contexts.of_spherical(ROWS))
 _OF_ROLLERS = {"roller": "0.02 um", "inner_raceway": "0.05 um", "outer_raceway": "0.05 um"}
 for _context, _settings in _LUBRICATED.items():
     if "bearing.cage" not in _settings:

@@ -43,6 +43,7 @@ LISTS = {  # what the summary holds one by one for rollers, balls or directions
     },
 }  # fmt: skip
 LISTS["thrust_roller"] = LISTS["tapered_roller"] - {"rib_loads_N"}
+LISTS["spherical_roller"] = LISTS["thrust_roller"]
 LISTS["deep_groove_ball"] = LISTS["angular_contact_ball"]
 
 
