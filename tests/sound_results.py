@@ -125,9 +125,13 @@ def _between_washers(result: Any, block: Any, lost: float) -> Iterator[str]:
 
 
 def _in_sphere(result: Any, block: Any, lost: float) -> Iterator[str]:
-    """Barrels are in balance along and across their axes and about them; outer loads carry that of the ring."""
+    """Barrels are in balance, forces and moments; outer loads carry that of the ring."""
     bearing, places = _case(result)["bearing"], block["slice_position"]
-    angle, diameter, length = bearing["contact_angle"], bearing["roller"]["diameter"], bearing["roller"]["length"]
+    angle, diameter, length = (
+        bearing["contact_angle"],
+        bearing["roller"]["diameter"],
+        bearing["roller"]["length"],
+    )
     sphere = (bearing["pitch_diameter"] / np.cos(angle) + diameter) / 2
     groove = bearing["outer_osculation"] * sphere / bearing["inner_osculation"]
     inner, outer = (block[f"{race}_slice_load"] * length / len(places) for race in ("inner", "outer"))

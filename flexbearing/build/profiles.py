@@ -23,9 +23,8 @@ from quasidynamic.parts.profile import Hollow
 
 if TYPE_CHECKING:
     from flexbearing.case.tapered import TaperedCase
-    from flexbearing.case.tapered.spherical_case import SphericalCase
 
-    RollerCase = Case | TaperedCase | SphericalCase
+    RollerCase = Case | TaperedCase
 
 Race = Literal["inner", "outer"]
 RACES: tuple[Race, Race] = "inner", "outer"
@@ -37,16 +36,18 @@ _HEADER = 'a header holds "position [mm]" and "drop [um]", each with a unit of l
 
 def of_roller(case: "RollerCase") -> qd.Profile:
     """Profile of the rollers; one for a design load belongs to the inner contact."""
+    own: Any = case.bearing
     if case.kind == "spherical_roller":
-        return qd.Crowned(straight_length=0.0, crown_radius=case.bearing.profile_radius)
+        return qd.Crowned(straight_length=0.0, crown_radius=own.profile_radius)
     return _profile(case, case.bearing.roller, "inner", "bearing.roller")
 
 
 def of_raceway(case: "RollerCase", race: Race) -> qd.Profile:
     """Profile of a raceway along the rollers."""
+    own: Any = case.bearing
     if case.kind == "spherical_roller":
-        return Hollow(radius=case.bearing.raceway_profile_radius(race))
-    table = getattr(case.bearing, f"{race}_raceway")
+        return Hollow(radius=own.raceway_profile_radius(race))
+    table = getattr(own, f"{race}_raceway")
     return qd.Straight() if table is None else _profile(case, table, race, f"bearing.{race}_raceway")
 
 

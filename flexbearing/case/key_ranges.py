@@ -75,6 +75,7 @@ _CN = times(0.7, 1.3), "spread of class CN about its middle, ISO 5753-1"
 RANGES: tuple[KeyRange, ...] = (  # of keys that hold numbers, the first that fits
     KeyRange("bearing.clearance", *_CN, **_CLEARANCE),
     KeyRange("bearing.fits.cold_clearance", *_CN, **_CLEARANCE),
+    KeyRange("bearing.*_osculation", instead(0.95, 0.985), THUMB, 0.005, True, about(0.025)),
     KeyRange("bearing.fits.*", *_FIFTH),
     KeyRange(
         "operation.temperatures.reference", plus(-5.0, 5.0), f"ISO 1 sets 20 degC; 5 K: {THUMB}", 5.0, True,

@@ -44,7 +44,11 @@ ENTRIES = {
         example="53.5 mm",
     ),
     "angle": Entry(
-        "--contact-angle", "nominal contact angle, of a cup or barrels by tan = e/1.5", "", "Angle", example="40 deg"
+        "--contact-angle",
+        "nominal contact angle, of a cup or barrels by tan = e/1.5",
+        "",
+        "Angle",
+        example="40 deg",
     ),
     "elements": Entry("--elements", "number of rollers or balls, of each row", "-Z", example="16"),
     "diameter": Entry("--diameter", "diameter of the rollers or balls", "--Dw", "Length", example="11 mm"),

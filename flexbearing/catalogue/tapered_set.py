@@ -1,4 +1,4 @@
-"""How many tapered rollers or barrels of what size a bearing has: no catalogue says, but its static rating bounds them.
+"""How many tapered rollers or barrels of what size a bearing has: C_0 of a catalogue bounds them.
 
 Makers fill the pitch circle, so that Z D is known: C_0 of ISO 76, with Z l D, gives the length. C of ISO 281
 holds the diameter to a third of a power, less than makers' ratings differ from the standard's.

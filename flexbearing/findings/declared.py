@@ -109,7 +109,9 @@ OF_SLOW_BALLS = (  # which need no load against skidding
     SMALL_OSCILLATION,
 )
 OF_SPEEDS = (LIMITING_SPEED, REFERENCE_SPEED)  # of a maker's table, which a selection judges
-DECLARED = tuple(dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED, *OF_SPHERICAL_ROLLERS, *OF_SPEEDS)))
+DECLARED = tuple(
+    dict.fromkeys((*OF_ROLLERS, *OF_BALLS, *OF_SLOW_BALLS, *OF_TAPERED, *OF_SPHERICAL_ROLLERS, *OF_SPEEDS))
+)
 
 
 def of_selection(rollers: bool) -> tuple[Finding, ...]:

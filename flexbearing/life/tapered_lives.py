@@ -80,7 +80,9 @@ def loads_rated(case: TaperedCase, loads: TaperedLoads) -> LoadsRated:
 
 def rated_row(bearing: TaperedRollerBearing) -> InclinedRow:
     """The rows of a bearing as ratings see them."""
-    kind = ThrustRow if bearing.cup_angle > STEEPEST else SphericalRow if any(bearing.hollows) else InclinedRow
+    kind = (
+        ThrustRow if bearing.cup_angle > STEEPEST else SphericalRow if any(bearing.hollows) else InclinedRow
+    )
     return kind.of(bearing)
 
 

@@ -4,7 +4,14 @@ from dataclasses import replace
 
 from flexbearing.quantities import tapered
 
-_ABSENT = "unloading_force", "inner_deflection", "outer_deflection", "film_ratio", "induced_thrust", "cone_angle"
+_ABSENT = (
+    "unloading_force",
+    "inner_deflection",
+    "outer_deflection",
+    "film_ratio",
+    "induced_thrust",
+    "cone_angle",
+)
 
 LAYOUT = replace(
     tapered.LAYOUT,

@@ -50,7 +50,9 @@ def built(case):
         for path, value in leaves(case.model_dump())
         if path.startswith(DIRECT)
         or path in ("bearing.contact", "bearing.rib.friction")
-        or (case.kind in ("tapered_roller", "thrust_roller", "spherical_roller") and path == "accuracy.slices")
+        or (
+            case.kind in ("tapered_roller", "thrust_roller", "spherical_roller") and path == "accuracy.slices"
+        )
     }
     return dict(leaves(models))
 

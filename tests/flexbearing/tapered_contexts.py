@@ -152,7 +152,7 @@ def _shared(effects, kind, case):
     keys = {item.path for item in declared(case)}
     for context, key, value, names in effects:
         there = context.replace("tapered", kind)
-        if context.startswith("tapered") and key in keys and there in CONTEXTS:
+        if context.startswith("tapered") and key in keys:
             each = (name for part in names.split() for name in spelt_out(part) if ".rib." not in name)
             yield there, key, value, " ".join(each)
 
@@ -165,6 +165,13 @@ def of_thrust(effects):
 
 def of_spherical(effects):
     """Rows of barrels in a sphere."""
-    yield from (row for row in _shared(effects, "spherical", SphericalCase) if row[1][:8] != "bearing.")
+    for row in _shared(effects, "spherical", SphericalCase):
+        if row[0] in CONTEXTS and not row[1].startswith("bearing."):
+            yield row
     for key, value, names in _OF_BARRELS:
-        yield "spherical", f"bearing.{key}", value, " ".join(f"model.bearing.{name}" for name in names.split())
+        yield (
+            "spherical",
+            f"bearing.{key}",
+            value,
+            " ".join(f"model.bearing.{name}" for name in names.split()),
+        )

@@ -228,7 +228,7 @@ def test_kind_inside_the_bearing_is_shown_its_place(tmp_path):
 
 def test_key_of_several_kinds_is_explained_for_each():
     found = explain("bearing.clearance")
-    assert found.count("key      bearing.clearance") == 3
+    assert found.count("key      bearing.clearance") == 4
     assert "kind     four_point_ball" in found
     assert "along a diagonal" in found
     assert "diametral clearance, warm and running" in found

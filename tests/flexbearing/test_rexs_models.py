@@ -352,6 +352,18 @@ def test_thrust_bearings_are_cases_under_their_thrust_alone(written, tmp_path, k
     assert "not all loads press the shaft washer on the rollers" in messages
 
 
+def test_spherical_bearings_are_cases_with_both_rows(written, tmp_path):
+    given = {"inner_diameter": ("50", "mm"), "outer_diameter": ("90", "mm"), "width": ("23", "mm"),
+             "radial_static_load_rating": ("108", "kN"), "number_of_bearing_rows": ("2", "none"),
+             "catalogue_value_e": ("0.24", "none")}  # fmt: skip
+    cones(tmp_path, ("-4", "0"), ("8", "3"), "radial_self_aligning_roller_bearing", **given)
+    code, cases, _ = written("m.rexs")
+    case = cases["m.toml"]
+    load = {"axial": "-4000 N", "radial_z": "8000 N"}
+    assert (code, case["kind"], case["operation"]["load"]) == (0, "spherical_roller", load)
+    assert float(case["bearing"]["contact_angle"].removesuffix(" deg")) == pytest.approx(9.0903, abs=1e-4)
+
+
 def test_needle_bearings_are_cases_of_cylinders(written, tmp_path):
     given = {"inner_diameter": ("50", "mm"), "outer_diameter": ("72", "mm"), "width": ("22", "mm")}
     cones(tmp_path, kind="radial_needle_roller_bearing", **given)

@@ -62,7 +62,9 @@ def test_contact_that_ends_beyond_the_roller_is_a_finding(result):
 
 
 def test_a_given_rating_follows_the_contact_angle():
-    ratings = [api.run(CASE, [f"bearing.contact_angle={angle} deg"]).rigid["dynamic_rating"] for angle in (9.09, 12)]
+    ratings = [
+        api.run(CASE, [f"bearing.contact_angle={angle} deg"]).rigid["dynamic_rating"] for angle in (9.09, 12)
+    ]
     cosines = np.cos(np.radians([9.09, 12]))
     assert ratings[0] == 104e3
     assert ratings[1] / ratings[0] == approx((cosines[1] / cosines[0]) ** (7 / 9 + 2 / 9), rel=2e-2)

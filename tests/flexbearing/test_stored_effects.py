@@ -76,8 +76,8 @@ def test_shipped_effects_are_of_their_case(path):
     assert set(effects_file.attributes(case)) == {"assumed_effects"}
 
 
-def test_thirteen_cases_have_effects():
-    assert len(SHIPPED) == 13
+def test_fourteen_cases_have_effects():
+    assert len(SHIPPED) == 14
 
 
 @pytest.mark.parametrize("name", ["6209", "joshi2015_fourpoint"])

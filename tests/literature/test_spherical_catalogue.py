@@ -1,11 +1,12 @@
 """Ratings of spherical roller bearings: factors e, Y, and the dynamic rating of SKF's series 222 and 223.
 
-Ratings and factors are those of the maker's catalogue, cited from memory; it has no rollers: those are taken that
-have the static rating, 0.55 of (D - d)/2 thick.
+Ratings and factors are those of the maker's catalogue, cited from memory; it has no rollers: those are taken
+that have the static rating, 0.55 of (D - d)/2 thick.
 """
 
 from math import atan, degrees
 from pathlib import Path
+from typing import Any
 
 import pytest
 from pytest import approx
@@ -47,16 +48,20 @@ def test_dynamic_rating_from_the_static_one(name):
     bore, outside, width, dynamic, static, limit, *_ = TABLE[name]
     page = {
         "bore": f"{bore} mm", "outside": f"{outside} mm", "width": f"{width} mm", "load": "3 kN",
-        "static_rating": f"{static} kN", "speed": "1000 rpm", "angle": f"{degrees(atan(limit / 1.5)):.6g} deg",
+        "static_rating": f"{static} kN", "speed": "1000 rpm",
+        "angle": f"{degrees(atan(limit / 1.5)):.6g} deg",
     }  # fmt: skip
     file = Path(f"{name}.toml")
     text, _ = case_text("spherical_roller", page, file)
-    own = tapered_lives.rated(understood(text, file, {}, FAMILIES))
+    case: Any = understood(text, file, {}, FAMILIES)
+    own = tapered_lives.rated(case)
     assert own.static == approx(1e3 * static, rel=1e-3)
     assert 0.86 < own.dynamic / (1e3 * dynamic) < 0.92
 
 
 def test_barrels_are_rated_above_cones():
     row = 18, Roller(diameter=11e-3, length=7e-3, material=STEEL), 70e-3, 0.16, 2
-    assert SphericalRow(*row).dynamic_rating / InclinedRow(*row).dynamic_rating == approx(1.15 / 1.1, rel=1e-12)
+    assert SphericalRow(*row).dynamic_rating / InclinedRow(*row).dynamic_rating == approx(
+        1.15 / 1.1, rel=1e-12
+    )
     assert SphericalRow(*row).static_rating == approx(InclinedRow(*row).static_rating, rel=1e-12)

@@ -19,8 +19,14 @@ from tests.random_tapered import STEEL
 FIXED = (None, None, None, 0.0, 0.0)
 
 
-def barrels(  # noqa: PLR0913  # one for each size
-    tangent=0.16, diameter=11e-3, length=7.43e-3, pitch=70e-3, rollers=18, osculations=(0.97, 0.97), clearance=0.0
+def barrels(
+    tangent=0.16,
+    diameter=11e-3,
+    length=7.43e-3,
+    pitch=70e-3,
+    rollers=18,
+    osculations=(0.97, 0.97),
+    clearance=0.0,
 ):
     angle = atan(tangent)
     sphere = pitch / 2 / cos(angle) + diameter / 2
@@ -89,7 +95,7 @@ def test_a_mirrored_load_has_the_mirrored_rows():
 @pytest.mark.parametrize("race", [0, 1])
 @pytest.mark.parametrize("way", [0, 1, 2])
 def test_slices_come_closer_as_the_circles_do(race, way):
-    """Against the distance of points of a rigid barrel from the circle of the raceway, local x along, y outwards."""
+    """Against distances of points of a rigid barrel from the circle of the raceway; x along, y outwards."""
     bearing, step = barrels(), 1e-6
     half, side = bearing.roller.length / 2, (-1.0, 1.0)[race]
     slices, radius = Slices(15, 2 * half), (bearing.inner_profile, bearing.outer_profile)[race].radius
@@ -111,7 +117,7 @@ def test_slices_come_closer_as_the_circles_do(race, way):
     assert given == approx(exact, abs=1.5e-2 * np.abs(exact).max())
 
 
-HERTZ = {  # load of a roller [N]: approach of both contacts and peak pressure of the inner one over those of Hertz
+HERTZ = {  # load of a roller [N]: approach of both contacts, inner peak pressure, over those of Hertz
     10.0: (1.211, 0.914),
     100.0: (1.090, 0.939),
     300.0: (1.036, 0.951),
@@ -130,7 +136,8 @@ def test_slices_against_ellipses_that_end_on_the_roller(load):
     inner, outer = (
         point_contact(
             Curvatures(
-                np.array(1 / barrel - 1 / profile.radius), np.array(2 / diameter + side * 2 / (across - side * diameter))
+                np.array(1 / barrel - 1 / profile.radius),
+                np.array(2 / diameter + side * 2 / (across - side * diameter)),
             ),
             modulus,
         )
@@ -150,8 +157,9 @@ def test_random_bearings_converge_in_balance():
         tangent, pitch = random.uniform(0.1, 0.27), 10 ** random.uniform(-1.5, 0.0)
         diameter = pitch * random.uniform(0.08, 0.2)
         bearing = barrels(
-            tangent, diameter, pitch * tangent * random.uniform(0.4, 0.95), pitch, int(2.8 * pitch / diameter),
-            tuple(random.uniform(0.93, 0.995, 2)), pitch * random.uniform(-1e-4, 6e-4),
+            tangent, diameter, pitch * tangent * random.uniform(0.4, 0.95), pitch,
+            int(2.8 * pitch / diameter), tuple(random.uniform(0.93, 0.995, 2)),
+            pitch * random.uniform(-1e-4, 6e-4),
         )  # fmt: skip
         size = 10 ** random.uniform(6.0, 8.3) * diameter * bearing.roller.length * bearing.rollers
         load = size * random.uniform(-1.0, 1.0, 3) * random.choice([0.0, 1.0], 3, p=[0.2, 0.8])

@@ -1,4 +1,4 @@
-"""A spherical roller bearing, as a case: two rows of barrels whose normals meet in the centre of the bearing."""
+"""A spherical roller bearing, as a case: two rows of barrels whose contact normals meet in its centre."""
 
 from math import cos, pi, tan
 from typing import Any, ClassVar, Literal, Self
@@ -32,8 +32,8 @@ class SphericalBearing(RollersOnCircle):
 
     rollers: int = key("number of rollers in each of both rows", example=19, ge=3, le=1000)
     contact_angle: Angle = key(
-        "angle of the contact normals from the radial plane: its tangent is e/1.5 of a catalogue. All normals "
-        "meet in the centre of the bearing, so that the rows are the pitch diameter times the tangent apart",
+        "angle of the contact normals from the radial plane: its tangent is e/1.5 of a catalogue. All meet "
+        "in the centre of the bearing, so that the rows are the pitch diameter times the tangent apart",
         example="9.1 deg",
         gt=0,
         le=STEEPEST,
@@ -89,7 +89,9 @@ class SphericalBearing(RollersOnCircle):
     @model_validator(mode="after")
     def _rows_and_ends(self) -> Self:
         if self.roller.length * cos(self.contact_angle) > self.pair.distance:
-            raise impossible("roller.length", "shorter, or a larger contact_angle, or rollers of both rows meet")
+            raise impossible(
+                "roller.length", "shorter, or a larger contact_angle, or rollers of both rows meet"
+            )
         return self
 
 

@@ -8,7 +8,10 @@ from numpy.typing import NDArray
 from flexbearing.report.drawing.sheet import Drawing, Sheet
 from flexbearing.report.drawing.words import ELEMENT, INNER, LOAD, OUTER, SCHEMATIC, Words
 
-WALL, BEYOND = 0.35, 1.1  # least thickness of the rings over the rollers' diameter, outer raceway over rollers
+WALL, BEYOND = (
+    0.35,
+    1.1,
+)  # least thickness of the rings over the rollers' diameter, outer raceway over rollers
 
 
 def section(words: Words) -> Drawing:
@@ -31,16 +34,12 @@ def section(words: Words) -> Drawing:
     sheet.line(raceway, "outer-raceway")
     lower = [along(side, -1, groove) for side in (-1, 1)]
     bottom = min(each[:, 1].min() for each in lower) - wall
-    sheet.area([*lower[0], *lower[1], (lower[1][-1, 0], bottom), (lower[0][0, 0], bottom)], "inner-ring", fc=INNER,
-               **SCHEMATIC)  # fmt: skip
+    corners = [(lower[1][-1, 0], bottom), (lower[0][0, 0], bottom)]
+    sheet.area([*lower[0], *lower[1], *corners], "inner-ring", fc=INNER, **SCHEMATIC)
     for side, each in zip((-1, 1), lower, strict=True):
         sheet.line(each, "inner-raceway")
         sheet.area([*along(side, 1, barrel), *along(side, -1, barrel)[::-1]], "roller", fc=ELEMENT)
-    normal, centre = np.array([sin(angle), cos(angle)]), bearing.pitch_diameter / 2 / cos(angle)
-    sheet.line([(0.55 * centre) * normal, sphere * normal], ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
-    sheet.label("bearing.contact_angle", tuple(0.6 * centre * normal))
-    sheet.label("bearing.pitch_diameter", tuple(centre * normal), "Ø ")
-    sheet.label("bearing.roller.diameter", tuple(sphere * normal), "Ø ")
+    _along_normal(sheet, sphere)
     sheet.label("bearing.roller.length", tuple((along(1, 1, barrel)[-1] + along(1, -1, barrel)[-1]) / 2))
     sheet.label("bearing.outer_osculation", tuple(raceway[20]))
     sheet.label("bearing.inner_osculation", tuple(lower[0][10]))
@@ -53,3 +52,14 @@ def section(words: Words) -> Drawing:
         "Axial half section, rollers and raceways to scale, dimensions as the case gives them.",
         "Axial half section of a spherical roller bearing: two rows of barrels in a sphere.",
     )
+
+
+def _along_normal(sheet: Sheet, sphere: float) -> None:
+    """The contact normal of the row on the right, that meets the sphere [m], with what lies on it."""
+    bearing = sheet.words.case.bearing
+    normal = np.array([sin(bearing.contact_angle), cos(bearing.contact_angle)])
+    centre = sphere - bearing.roller.diameter / 2
+    sheet.line([0.55 * centre * normal, sphere * normal], ec="0.4", lw=0.4, ls=(0, (8, 2, 1, 2)))
+    sheet.label("bearing.contact_angle", tuple(0.6 * centre * normal))
+    sheet.label("bearing.pitch_diameter", tuple(centre * normal), "Ø ")
+    sheet.label("bearing.roller.diameter", tuple(sphere * normal), "Ø ")

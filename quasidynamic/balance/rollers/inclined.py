@@ -119,14 +119,14 @@ class InclinedRollers:
     def levers(self) -> NDArray:
         r"""Unit displacements of a section to the mean and the turn of its approach (2, 2, 3) [-].
 
-        .. math:: \delta = N \cdot u \pm s\, \vartheta \Big(1 - \frac{D}{2 r}\Big) + s\, \frac{T \cdot u}{r}
+        .. math:: \delta = N \cdot u \pm s\, \vartheta (1 - D/2r) + s\, T \cdot u/r
 
-        (upper sign outer) with T along the roller's axis to its large end: a barrel that moves along its axis comes
-        closer to a hollow raceway of radius r at one end.
+        (upper sign outer) with T along the roller's axis to its large end: a barrel that moves along its axis
+        comes closer to a hollow raceway of radius r at one end.
 
         Source
         ------
-        Geometry of two circles that nearly osculate, to first order; derived here. Straight raceways: 1/r = 0.
+        Geometry of circles that nearly osculate, to first order; derived here. Straight raceways: 1/r = 0.
         """
         mean = self.normals[:2] * [1.0, 1.0, 0.0]
         turn = self.normals[:2] * [0.0, 0.0, 1.0]
