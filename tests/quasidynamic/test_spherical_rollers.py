@@ -132,16 +132,17 @@ def test_slices_against_ellipses_that_end_on_the_roller(load):
     angle, diameter = bearing.cup_angle, bearing.roller.diameter
     loads = solved(bearing, (load * 18 * sin(angle), 0.0, 0.0), slices=200)
     across = bearing.pitch_diameter / cos(angle)
-    barrel, modulus = bearing.roller.profile.crown_radius, contact_modulus(STEEL, STEEL)
+    sphere = (across + diameter) / 2
+    barrel, modulus = 0.97 * sphere, contact_modulus(STEEL, STEEL)
     inner, outer = (
         point_contact(
             Curvatures(
-                np.array(1 / barrel - 1 / profile.radius),
+                np.array(1 / barrel - 1 / sphere),  # both osculations are alike
                 np.array(2 / diameter + side * 2 / (across - side * diameter)),
             ),
             modulus,
         )
-        for profile, side in ((bearing.inner_profile, 1), (bearing.outer_profile, -1))
+        for side in (1, -1)
     )
     assert 2 * inner.semi_axes(load)[0] < bearing.roller.length
     measured = (
