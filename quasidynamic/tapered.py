@@ -108,7 +108,7 @@ class TaperedLoads:
 
         With the radii at each slice, of the roller R_w = (D/2 + s sin(eps))/cos(eps) and of the raceway
         R_r = (r_m/cos(alpha) -+ R_w) at mid-contact, growing by s tan(alpha); of a barrel with its drop, of a
-        hollow raceway of radius r growing by s tan(alpha) (1 - R_r/r), which is zero of a sphere.
+        hollow raceway of radius r growing by s tan(alpha) (1 +- R_r/r), which is zero of a sphere.
 
         Source
         ------
@@ -130,7 +130,7 @@ class TaperedLoads:
         taper, middle = bearing.taper, bearing.roller.diameter / 2 / np.cos(bearing.taper)
         roller, hollow = middle + s * np.tan(taper), bearing.hollows[race]
         raceway = bearing.pitch_diameter / 2 / np.cos(angle) - sign * middle
-        raceway = raceway + s * np.tan(angle) * (1 - raceway * hollow)
+        raceway = raceway + s * np.tan(angle) * (1 + sign * raceway * hollow)
         if hollow:
             roller = roller - bearing.roller.profile.drop(s, bearing.roller.length)
         return 1 / (1 / roller + sign / raceway)
@@ -307,8 +307,7 @@ def _start(
     approach = PRESSED * (float(np.max(model.law.approach(line_load))) + float(np.mean(model.drops)))
     pressed = bearing.side * places[0]
     if bearing.opposed:
-        # by each other, or apart by a play that the thrust takes up
-        pressed = bearing.rows[0].closer - model.gap / steep
+        pressed = bearing.rows[0].closer  # by each other, or apart by a play that the thrust takes up
         places[0] = places[0] if held[0] else np.sign(load[0]) * max(-pressed, 0.0)
     elif not held[0]:
         places[0] = bearing.side * (approach + model.gap) / steep

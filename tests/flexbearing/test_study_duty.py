@@ -299,12 +299,16 @@ def test_a_preloaded_bearing_without_load_is_computed(tmp_path):
     ("32207.toml", {"arrangement": "back_to_back", "offset": "-5 um"}, False),
     ("32207.toml", {"arrangement": "back_to_back", "offset": "5 um"}, True),
     ("catalogue/7208.toml", {"arrangement": "back_to_back", "preload": "100 N"}, True),
+    ("22210.toml", {}, False),
+    ("22210.toml", {"bearing.clearance": "-5 um"}, True),
 ])  # fmt: skip
 def test_rows_that_press_each_other_are_computed_without_load(case, pair, pressed, tmp_path):
-    file, keys = tmp_path / "cycle.toml", {"distance": "40 mm", **pair} if pair else {}
+    file, keys = tmp_path / "cycle.toml", pair
+    if "arrangement" in pair:
+        keys = {f"bearing.pair.{key}": value for key, value in {"distance": "40 mm", **pair}.items()}
     text = [f'case = "{CASE.parent / case}"', "[duty]", "time = [1, 1]"]
     text += [f'"operation.load.{name}" = ["3 kN", "0 N"]' for name in ("axial", "radial_z")]
-    file.write_text("\n".join([*text, *(f'"bearing.pair.{key}" = "{value}"' for key, value in keys.items())]))
+    file.write_text("\n".join([*text, *(f'"{key}" = "{value}"' for key, value in keys.items())]))
     loaded, unloaded = prepare_source(file).plan.variants
     assert loaded.idle is None
     assert (unloaded.idle is None) is pressed
