@@ -119,7 +119,7 @@ def test_slices_come_closer_as_the_circles_do(race, way):
 
 @pytest.mark.parametrize("race", [0, 1])
 def test_curvatures_in_the_plane_of_rolling_are_those_of_the_swept_arcs(race):
-    """Along its normal a raceway is as curved as its distance from the axis says (Meusnier)."""
+    """Along its normal a raceway is as curved as its distance from the axis says (Meusnier); to first order."""
     bearing = barrels()
     loads, side = solved(bearing, (0.0, 0.0, 1e3)), (-1, 1)[race]
     angle, middle, s = bearing.cup_angle, bearing.roller.diameter / 2, loads.slices.centres
@@ -128,7 +128,7 @@ def test_curvatures_in_the_plane_of_rolling_are_those_of_the_swept_arcs(race):
     radial = bearing.pitch_diameter / 2 + height * cos(angle) + s * sin(angle)
     raceway = radial / np.cos(angle - side * np.arcsin(s / arc.radius))
     roller = middle - bearing.roller.profile.drop(s, 2 * middle)
-    assert loads.reduced_radius(race) == approx(1 / (1 / roller - side / raceway), rel=3e-4)
+    assert loads.reduced_radius(race) == approx(1 / (1 / roller - side / raceway), rel=(2e-3, 1e-6)[race])
 
 
 HERTZ = {  # load of a roller [N]: approach of both contacts, inner peak pressure, over those of Hertz
