@@ -80,7 +80,7 @@ def test_a_given_rating_follows_the_contact_angle():
         (["operation.tilt=free"], "tilt is not a key of this case"),
         (["outputs.friction=true"], "friction is not a key of this case"),
         (["outer.kind=ring"], "outer"),
-        (["bearing.roller.length=12 mm"], "rollers of both rows meet"),
+        (["bearing.roller.length=10 mm"], "rollers of both rows meet"),
         (["bearing.outer_osculation=1"], "below 1"),
         (["bearing.rollers=20"], "at most 19, or they touch"),
     ],

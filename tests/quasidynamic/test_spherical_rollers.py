@@ -119,7 +119,7 @@ def test_slices_come_closer_as_the_circles_do(race, way):
 
 @pytest.mark.parametrize("race", [0, 1])
 def test_curvatures_in_the_plane_of_rolling_are_those_of_the_swept_arcs(race):
-    """Along its normal a raceway is as curved as its distance from the axis says (Meusnier); to first order."""
+    """Along its normal a raceway is as curved as its distance from the axis says: Meusnier."""
     bearing = barrels()
     loads, side = solved(bearing, (0.0, 0.0, 1e3)), (-1, 1)[race]
     angle, middle, s = bearing.cup_angle, bearing.roller.diameter / 2, loads.slices.centres

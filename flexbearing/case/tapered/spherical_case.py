@@ -1,6 +1,6 @@
 """A spherical roller bearing, as a case: two rows of barrels whose contact normals meet in its centre."""
 
-from math import cos, pi, tan
+from math import cos, pi, sin, tan
 from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
@@ -87,8 +87,10 @@ class SphericalBearing(RollersOnCircle):
         return (self.pitch_diameter / cos(self.contact_angle) + self.roller.diameter) / 2
 
     @model_validator(mode="after")
-    def _rows_and_ends(self) -> Self:
-        if self.roller.length * cos(self.contact_angle) > self.pair.distance:
+    def _rows_part(self) -> Self:
+        length, angle = self.roller.length, self.contact_angle
+        end = self.roller.diameter - length**2 / (4 * self.profile_radius)  # diameter, nearly
+        if length * cos(angle) + end * sin(angle) > self.pair.distance:
             raise impossible(
                 "roller.length", "shorter, or a larger contact_angle, or rollers of both rows meet"
             )
