@@ -46,11 +46,6 @@ LAYOUTS: dict[str, Layout] = {
     "tapered_roller": LAYOUT, "thrust_roller": OF_THRUST, "spherical_roller": OF_SPHERICAL
 }  # fmt: skip
 WORDS = {"tapered_roller": "tapered rollers", "thrust_roller": "rollers", "spherical_roller": "barrels"}
-FINDINGS = {
-    "tapered_roller": declared.OF_TAPERED,
-    "thrust_roller": declared.OF_THRUST_ROLLERS,
-    "spherical_roller": declared.OF_SPHERICAL_ROLLERS,
-}
 
 
 @dataclass(frozen=True)
@@ -240,7 +235,12 @@ def judge(solution: Solution) -> tuple[Judged, ...]:
             "dynamic_rating": rated.dynamic,
             **judged.lives(life / MREV, loads.operation.relative_speed, [case.life.required]),
         }
-    return evaluate(FINDINGS[case.kind], values)
+    known = {
+        "tapered_roller": declared.OF_TAPERED,
+        "thrust_roller": declared.OF_THRUST_ROLLERS,
+        "spherical_roller": declared.OF_SPHERICAL_ROLLERS,
+    }
+    return evaluate(known[case.kind], values)
 
 
 def _end_pressure(loads: TaperedLoads) -> float:

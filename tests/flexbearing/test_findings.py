@@ -82,6 +82,7 @@ LIMITS = {  # code, grade and quantity that the limit is a multiple of, to the n
     ("raceway-slope", USUAL, ""): np.radians(4 / 60),
     ("pressed-end", OUTSIDE, ""): 0.095,
     ("rib-contact", OUTSIDE, ""): 1.0,
+    ("contact-at-roller-end", OUTSIDE, ""): 0.745,  # (1 - 1/1.5^2)^(1/2)
     ("small-oscillation", OUTSIDE, ""): 1.0,  # of the width of the contacts
 }
 QJ = ("joshi2015_qj309.toml", "operation.speed=10000 rpm", "operation.load.axial=2 kN")
@@ -101,6 +102,7 @@ CASES = [
       for number, each in enumerate(declared.OF_BALLS)),
     (declared.OF_SLOW_BALLS.index(declared.GYROSCOPIC_SLIP), "OF_SLOW_BALLS", QJ),
     (declared.OF_TAPERED.index(declared.RIB_CONTACT), "OF_TAPERED", ("32207.toml",)),
+    (declared.OF_SPHERICAL_ROLLERS.index(declared.CUT_ELLIPSE), "OF_SPHERICAL_ROLLERS", ("22210.toml",)),
 ]  # fmt: skip
 
 
