@@ -68,7 +68,7 @@ def _balance(result: Any, block: Any, lost: float) -> Iterator[str]:
     if "inner_load" in block and _case(result)["kind"] == "thrust_roller":
         yield from _between_washers(result, block, lost)
     elif "inner_load" in block and _case(result)["kind"] == "spherical_roller":
-        yield from _in_sphere(result, block, lost)
+        yield from in_sphere(result, block, lost)
     elif "inner_load" in block and _case(result)["kind"] == "tapered_roller":
         yield from _inclined(result, block, lost)
     elif "inner_load" in block and "roller_azimuth" in block:
@@ -124,7 +124,7 @@ def _between_washers(result: Any, block: Any, lost: float) -> Iterator[str]:
     yield from _loaded_as_given(result, block, lost * size)
 
 
-def _in_sphere(result: Any, block: Any, lost: float) -> Iterator[str]:
+def in_sphere(result: Any, block: Any, lost: float) -> Iterator[str]:
     """Barrels are in balance, forces and moments; outer loads carry that of the ring."""
     bearing, places = _case(result)["bearing"], block["slice_position"]
     angle, diameter, length = (
