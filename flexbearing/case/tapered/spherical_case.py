@@ -42,13 +42,13 @@ class SphericalBearing(RollersOnCircle):
     outer_osculation: float = key(
         "radius of the rollers along their axes over that of the outer raceway, which is a sphere about the "
         "centre of the bearing that the rollers touch",
-        example=0.98,
+        example=0.97,
         ge=0.5,
         lt=1,
     )
     inner_osculation: float = key(
         "radius of the rollers along their axes over that of the inner raceway there",
-        example=0.98,
+        example=0.97,
         ge=0.5,
         lt=1,
     )
