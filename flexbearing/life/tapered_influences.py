@@ -27,8 +27,8 @@ RATING = (
 _SPHERICAL = Influence(
     "loads of all slices of the barrels, without inertia",
     {},
-    "The loads of all slices of both rows instead of one load P, with the exponent 4 of lines and without the "
-    "factor 0.83 of C_r for loads that are uneven along the rollers.",
+    "The loads of all slices of both rows instead of one load P, with the exponent 4 of lines and without "
+    "the factor 0.83 of C_r for loads that are uneven along the rollers.",
 )
 _SHAPE = (
     Influence(
