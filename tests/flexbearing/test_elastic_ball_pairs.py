@@ -91,6 +91,7 @@ def forces(block, pair, model):
     return np.array([axial, radial * sine, radial * cosine, about * cosine, -about * sine]).sum(1)
 
 
+@pytest.mark.sampled(5)
 @pytest.mark.parametrize("settings", HELD.values(), ids=HELD)
 @pytest.mark.parametrize("pair", [PRESSED, CROSSED], ids=["O", "X"])
 def test_nearly_rigid_rings_are_rigid(settings, pair):

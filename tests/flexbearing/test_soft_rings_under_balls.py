@@ -1,6 +1,7 @@
 """Random designs between soft rings: light balls on the walls of their grooves, and a limit point."""
 
 import numpy as np
+import pytest
 from pytest import approx
 
 import flexbearing
@@ -46,6 +47,7 @@ def test_a_contact_that_only_inertia_presses_at_90_degrees_is_no_load_far_too_hi
     assert 0 < loads[steep].max() < 1e-3 * loads.max()
 
 
+@pytest.mark.slow
 def test_light_balls_on_the_walls_of_their_grooves_do_not_hide_a_balance():
     """Of whole contacts: balls of 0.1 N beside others of 50 kN stopped the search as "too soft"."""
     found = flexbearing.run(RADIAL[0], [*RADIAL[1], "coupling.fallback=false"])
